@@ -13,7 +13,7 @@ std::vector<TableKeys> effect_tables() {
         {"effects", TableForm::table,
          "`[effects.NAME]` for each effect of the catalogue: [effects.md](effects.md) has their parameters, words and tables. An effect that is named is on. In a case with `[tire]` the thesis's effects are on unless switched off; in any other case only `conduction` is. Parameters that are not given keep their standard values.", {
             subtable("NAME", "One table for each effect that is switched on, off or changed."),
-        }},
+        }, true},
         {"effects.NAME", TableForm::table,
          "Beside the keys of the effect itself. Where parameters may differ from place to place, `<parameter>_by_patch`, `_by_layer`, `_by_zone` or `_by_channel` holds other values for some of them: `h_by_patch = { top = \"60 W/m2K\" }`. A table such as `profile` replaces a weight: `{ columns = [\"place [mm]\", \"weight\"], rows = [[-80, 0.8], [0, 1.1], [80, 0.8]] }`, against the arc length from the centre plane, negative outboard.", {
             flag("on", "Whether the effect acts. Default: true."),
@@ -24,7 +24,7 @@ std::vector<TableKeys> effect_tables() {
             choice("use", {"shape", "watts"}, "What of the field: its shape, with the total of the law, or its watts. Default: shape."),
             text("total", "File with a drum's table of the rolling resistance, which gives the total of the strain-energy loss. Default: none."),
             subtable("coastdown", "Coefficients of SAE J2452, which give the total of the strain-energy loss. Default: none."),
-        }},
+        }, true},
         {"effects.strain_energy_loss.coastdown", TableForm::table,
          "Rolling resistance by SAE J2452: F = p^alpha N^beta (a + b V + c V^2).", {
             quantity("alpha", {.unit = "1", .low = -5.0, .high = 5.0}, "Exponent of the pressure.").required(),

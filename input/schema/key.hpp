@@ -62,6 +62,7 @@ struct TableKeys {
     TableForm form = TableForm::table;
     std::string_view sentence;
     std::vector<Key> keys;
+    bool has_names = false;  ///< beside these, its keys are names: of layers, of effects and their parameters
 
     /// @param kind word of the table's `kind`; empty: the first key of that name
     /// @returns null where the table has no such key

@@ -13,7 +13,7 @@ std::vector<TableKeys> time_tables() {
         {"initial", TableForm::table,
          "The temperatures at the start. Beside `temperature` there may be a key for each layer, which wins, and for nodes of their own, `gas` and `rim` (default: the air's). Instead of a temperature each may be `\"air_temperature\"`, that of the air at the start, or the name of a sensor that the run measures: the mean of its readings (of all strips of an array) in the first second of the run.", {
             quantity("temperature", temperature, "Temperature everywhere; required unless each layer has its own.").required(),
-        }},
+        }, true},
         {"limits", TableForm::table,
          "What a run may come to. A larger one is refused before anything of its size is made, by `check` as well; `check` says how large a sound case is. Amounts of memory have the units B, kB, MB, GB and TB.", {
             quantity("cells", {.unit = "1", .low = 1.0, .high = 2e8}, "Cells of the mesh. Default: 5 million."),

@@ -53,6 +53,7 @@ std::vector<TableKeys> validation_tables() {
             quantity("time_to", {.unit = "1", .low = 0.0, .high = 1.0, .above = true}, "As of `[[number]]`."),
             quantity("from", moment, "As of `[[number]]`."),
             quantity("to", moment, "As of `[[number]]`."),
+            subtable("minus", "Of `over` alone: a value that is subtracted from it."),
         }},
         {"input", TableForm::list,
          "An input of an experiment: printed in the source, or unknown within a range. `validate` runs each number at both ends of the range of each of its unknown inputs, one by one. One of `keys`, `signal`, `between` and `reads` says what the input changes; a printed one may leave it out.", {

@@ -61,6 +61,9 @@ bool TomlTable::is_required(std::string_view key, Need need) const {
 
 void TomlTable::declare_keys(std::initializer_list<std::string_view> keys) {
     for (const std::string_view key : keys) {
+        if (keys_ != nullptr && !keys_->has_names) {
+            static_cast<void>(described(key));
+        }
         if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
             known_.emplace_back(key);
         }

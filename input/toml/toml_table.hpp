@@ -73,7 +73,7 @@ public:
     [[nodiscard]] InputErrors& errors() const { return *errors_; }
 
     void add_error(std::string_view key, std::string what, std::string remedy = {}) const;
-    /// Adds keys to those that are known, without reading them.
+    /// Adds keys to those that are known, without reading them. @errors std::logic_error for one that is not described
     void declare_keys(std::initializer_list<std::string_view> keys);
     /// Unknown keys are not reported: after an error it is not known which keys belong here.
     void allow_unknown_keys() { unknown_keys_allowed_ = true; }

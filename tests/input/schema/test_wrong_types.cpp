@@ -146,27 +146,47 @@ std::vector<InputError> errors_of(const fs::path& file, const TomlValue& documen
     return read_experiment(file, {}, ReadMode::measured).errors;
 }
 
-/// The keys of a table of a document, with the types that they take: those that are described, and the parameters of an
-/// effect.
-std::map<std::string, unsigned> keys_of(const TomlValue& document, const Place& place, std::string_view kind) {
+/// The description of a table of a document; null where its keys are the user's names.
+const TableKeys* description_of(const TomlValue& document, const Place& place) {
     const bool at_top = place.name.empty();
-    const std::string title = !at_top                              ? place.name
-                              : document.find("number") != nullptr ? "the table"
-                              : document.find("case") != nullptr   ? "the study"
-                                                                   : "the case";
+    return keys_of_table(!at_top                              ? place.name
+                         : document.find("number") != nullptr ? "the table"
+                         : document.find("case") != nullptr   ? "the study"
+                                                              : "the case");
+}
+
+/// The keys of a table of a document, with the types that they take: those that are described, the parameters of an effect,
+/// and the names of columns that stand there.
+std::map<std::string, unsigned> keys_of(TomlValue document, const Place& place) {
+    const TomlValue& node = found_at(document, place);
+    const TomlValue* kind = node.find("kind");
     std::map<std::string, unsigned> keys;
-    if (const TableKeys* its = keys_of_table(title)) {
+    if (const TableKeys* its = description_of(document, place)) {
         for (const Key& key : its->keys) {
-            if (key.is_of(kind) && key.name != "NAME") {
+            if (key.is_of(kind != nullptr ? kind->text : "") && key.name != "NAME") {
                 keys[std::string(key.name)] |= types_of(key);
             }
+        }
+    } else if (place.name.ends_with(".columns") || place.name.ends_with(".units")) {
+        for (const Entry& entry : node.entries) {
+            keys[entry.key] = text;
         }
     }
     const physics::Effect* effect =
         place.name.starts_with("effects.") ? physics::find_effect(place.name.substr(8)) : nullptr;
-    for (const physics::ParameterSpec& parameter :
-         effect != nullptr ? effect->parameters : decltype(effect->parameters)()) {
-        keys[std::string(parameter.key)] = parameter.unit == "1" ? number | text : unsigned{text};
+    if (effect != nullptr) {
+        for (const physics::ParameterSpec& parameter : effect->parameters) {
+            keys[std::string(parameter.key)] = parameter.unit == "1" ? number | text : unsigned{text};
+            for (const char* ending : {"_by_patch", "_by_layer", "_by_zone", "_by_channel"}) {
+                keys[std::string(parameter.key) + ending] = table;
+            }
+        }
+        for (const auto& choice : effect->choices) {
+            keys[std::string(choice.key)] = text | number;  // a word may stand for a value
+        }
+        for (const auto& values : effect->tables) {
+            keys[std::string(values.key)] = table;
+        }
     }
     return keys;
 }
@@ -217,7 +237,7 @@ struct Sweep {
             TomlValue copy = document;
             const TomlValue* kind = found_at(copy, place).find("kind");
             const std::string word = kind != nullptr ? kind->text : "";
-            for (const auto& [key, types] : keys_of(document, place, word)) {
+            for (const auto& [key, types] : keys_of(document, place)) {
                 if (done.insert(with_kind(place.name, word) + " " + key).second) {
                     ++keys;
                     try_all(document, place, key, types);
@@ -250,8 +270,55 @@ struct Sweep {
     }
 };
 
+/// Tries whether readers know the described keys, in every table where one stands until one of them does.
+struct Search {
+    const Written& written;
+    std::map<std::string, bool> is_read{};  ///< by table and key
+
+    void through(const MadeUpFile& file) {
+        InputErrors errors;
+        const TomlValue document = *read_document(written.folder() / file.name, errors);
+        std::vector<Place> places;
+        find_tables(document, {.name = ""}, places);
+        for (const Place& place : places) {
+            const TableKeys* its = description_of(document, place);
+            for (const auto& [key, types] : keys_of(document, place)) {
+                if (its == nullptr || its->find(key) == nullptr) {
+                    continue;
+                }
+                bool& known = is_read[std::string(its->path) + " " + key];
+                if (!known) {
+                    const Changed one = changed(document, place, key, {.literal = "\"word\"", .type = text});
+                    const std::string unknown = "\"" + key + "\" is not a key of";
+                    known = std::ranges::none_of(errors_of(written.add("case.toml", one.content), document),
+                                                 [&](const InputError& error) {
+                                                     return error.line == one.line && error.what.starts_with(unknown);
+                                                 });
+                }
+            }
+        }
+    }
+};
+
 }  // namespace
 }  // namespace wrong_types
+
+// A line of the reference without a reader would be a key that a user writes in vain.
+TEST(AllTables, EveryKeyThatIsDescribedIsReadInSomeTable) {
+    const Written written;
+    written.add("run.csv", log_of_five);
+    written.add("log.csv", log_of_five);
+    for (const MadeUpFile& file : files_of_every_kind()) {
+        written.add(std::string(file.name), file.text);
+    }
+    wrong_types::Search search{.written = written};
+    for (const MadeUpFile& file : files_of_every_kind()) {
+        search.through(file);
+    }
+    for (const auto& [key, is_read] : search.is_read) {
+        EXPECT_TRUE(is_read) << key;
+    }
+}
 
 TEST(WrongTypes, EveryKeyWithEveryTypeIsTakenOrHasAMessageAtItsLine) {
     const Written written;
