@@ -33,7 +33,7 @@ void read_mesh(TomlTable& root, ProblemBuilder& builder) {
     builder.has_mesh = false;
     std::array<std::string_view, mesh_kinds.size()> names;
     std::transform(mesh_kinds.begin(), mesh_kinds.end(), names.begin(), [](const MeshKind& kind) { return kind.name; });
-    const std::optional<std::size_t> kind = mesh.choice("kind");
+    const std::optional<std::size_t> kind = mesh.choice("kind", names);
     if (!kind) {
         mesh.allow_unknown_keys();
         return;

@@ -249,7 +249,7 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
     root.each("sensor", [&](TomlTable& sensor) {
         const std::optional<std::string> name = sensor.name("name", Need::required);
         const std::optional<std::string> meaning = sensor.text("meaning");
-        const std::optional<std::size_t> kind = sensor.choice("kind");
+        const std::optional<std::size_t> kind = sensor.choice("kind", names);
         if (name == "time") {
             sensor.add_error("name", "time is the name of the clock", "rename the sensor");
         }

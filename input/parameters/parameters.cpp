@@ -273,7 +273,6 @@ std::optional<ParameterPath> effect_path(TomlTable& table, std::string_view subj
 
 /// The paths that a [[parameter]] names in one of its forms: several of initial temperatures only. None after an error.
 std::vector<ParameterPath> read_paths(TomlTable& table, std::string_view subject, const TomlValue& document) {
-    constexpr std::array<std::string_view, 2> laws{"conductivity", "heat_capacity"};
     const auto only = [](std::optional<ParameterPath> path) {
         return path ? std::vector{std::move(*path)} : std::vector<ParameterPath>{};
     };
@@ -291,9 +290,8 @@ std::vector<ParameterPath> read_paths(TomlTable& table, std::string_view subject
     }
     if (subject == "material") {
         const LocatedString name = located(table, "material");
-        const std::optional<std::size_t> law = table.choice("law");
-        return only(ParameterPath{
-            .keys = {{"material", place}, name, {law ? std::string(laws[*law]) : "", table.place("law")}}});
+        const std::string law(table.word("law").value_or(""));
+        return only(ParameterPath{.keys = {{"material", place}, name, {law, table.place("law")}}});
     }
     if (subject == "link") {
         const bool is_known = table.choice("link").has_value();
@@ -349,9 +347,8 @@ void read_parameters(TomlTable& root, const ProblemBuilder& builder, bool measur
 }
 
 void read_identify(TomlTable& root, Experiment& into) {
-    constexpr std::array<std::string_view, 3> models{"automatic", "correlated", "white"};
     TomlTable table = root.subtable("identify");
-    into.noise = models[table.choice("noise").value_or(0)];
+    into.noise = table.word("noise").value_or("automatic");
     into.robust = table.flag("robust").value_or(into.robust);
 }
 

@@ -41,7 +41,7 @@ struct Key {
     KeyForm form = KeyForm::value;
     std::string_view sentence;  ///< what it means, with its default
     QuantitySpec spec{};
-    std::vector<std::string_view> words{};
+    std::vector<std::string_view> words{};  ///< of a choice; where a reader makes an enumeration of them, in its order
     int low = 0;
     int high = 0;
     Need need = Need::optional;

@@ -2,6 +2,7 @@
 // Keys of [[run]], [[corner]], [[pyrometer]] and [data]: form, unit and range, need and meaning, a line each.
 #include "input/schema/all_tables.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "physics/vehicle/vehicle.hpp"
 
 namespace tiretherm::input::schema {
 
@@ -35,7 +36,7 @@ std::vector<TableKeys> run_tables() {
         }},
         {"corner", TableForm::list,
          "A wheel of a car. Each run then counts once for each corner, under the name `RUN_CORNER`: with the tire, the mesh and the sensors of the case, and the columns, the inputs and the values of the corner. A corner at which a run measures nothing is left out.", {
-            choice("name", {"FL", "FR", "RL", "RR"}, "`FL`, `FR`, `RL` or `RR`: front or rear, left or right.").required(),
+            choice("name", {physics::corner_names.begin(), physics::corner_names.end()}, "`FL`, `FR`, `RL` or `RR`: front or rear, left or right.").required(),
             subtable("columns", "The file's columns of this corner: `{ \"IR FL 1\" = \"surface_temperature\" }`. What a `[[run]]` says of a column wins, then the corner, then `[data]`."),
             subtable("units", "As of `[[run]]`."),
             subtable("unit_names", "As of `[[run]]`."),

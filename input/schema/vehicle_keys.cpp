@@ -2,6 +2,7 @@
 // Keys of [vehicle]: form, unit and range, need and meaning, a line each.
 #include "input/schema/all_tables.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "physics/vehicle/vehicle.hpp"
 
 namespace tiretherm::input::schema {
 
@@ -12,7 +13,7 @@ std::vector<TableKeys> vehicle_tables() {
     return {
         {"vehicle", TableForm::table,
          "The car whose log drives the tire: loads, forces and slips of the wheel `corner` follow from its speed, accelerations and yaw rate ([vehicle.md](vehicle.md)). The log's columns are `speed`, `lateral_acceleration`, `longitudinal_acceleration`, `yaw_rate`, `steering_wheel_angle` and `brake_pressure`. What the case or a log gives as an input of the tire wins over what would be computed. A `[run.vehicle]` changes keys for one run.", {
-            choice("corner", {"FL", "FR", "RL", "RR"}, "Which wheel the case's tire is.").required(),
+            choice("corner", {physics::corner_names.begin(), physics::corner_names.end()}, "Which wheel the case's tire is.").required(),
             quantity("mass", {.unit = "kg", .low = 0.0, .high = 1e5, .above = true, .usual_low = 150.0, .usual_high = 4e4}, "Of the car as it was driven, with driver and fuel.").required(),
             quantity("wheelbase", {.unit = "m", .low = 0.0, .high = 20.0, .above = true, .usual_low = 1.2, .usual_high = 7.0}, "Distance of the axles.").required(),
             quantity("front_track", {.unit = "m", .low = 0.0, .high = 5.0, .above = true, .usual_low = 0.9, .usual_high = 2.6}, "Distance of the contact centres of the front wheels.").required(),

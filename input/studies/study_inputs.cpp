@@ -99,19 +99,17 @@ struct Drawn {
 };
 
 Drawn read_distribution(TomlTable& table) {
-    constexpr std::array<std::string_view, 3> words{"normal", "lognormal", "uniform"};
-    constexpr std::array spreads{Spread::normal, Spread::lognormal, Spread::uniform};
     Drawn drawn;
-    const std::optional<std::size_t> word = table.choice("distribution");
+    const std::optional<std::string_view> word = table.word("distribution");
     table.declare_keys({"mean", "standard_deviation", "from", "to", "low", "high"});
     if (!word) {
         return drawn;
     }
-    drawn.distribution.spread = spreads[*word];
-    const bool uniform = drawn.distribution.spread == Spread::uniform;
+    const bool uniform = *word == "uniform";
+    drawn.distribution.spread = uniform ? Spread::uniform : *word == "normal" ? Spread::normal : Spread::lognormal;
     for (const char* other : uniform ? std::array{"mean", "standard_deviation"} : std::array{"from", "to"}) {
         if (table.has(other)) {
-            table.add_error(other, fmt::format("a {} distribution has no {}", words[*word], other),
+            table.add_error(other, fmt::format("a {} distribution has no {}", *word, other),
                             uniform ? "write from and to" : "write mean and standard_deviation");
         }
     }

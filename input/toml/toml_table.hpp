@@ -48,6 +48,8 @@ public:
     std::optional<std::string> name(std::string_view key, Need need = Need::described);
     /// One of the words of the description. @returns its index
     std::optional<std::size_t> choice(std::string_view key, Need need = Need::described);
+    /// The same. @returns the word
+    std::optional<std::string_view> word(std::string_view key, Need need = Need::described);
     /// One of several words that follow from what the table is about.
     std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> options,
                                       Need need = Need::described);

@@ -69,6 +69,11 @@ std::optional<std::size_t> TomlTable::choice(std::string_view key, Need need) {
     return choice(key, described(key).words, need);
 }
 
+std::optional<std::string_view> TomlTable::word(std::string_view key, Need need) {
+    const std::optional<std::size_t> index = choice(key, need);
+    return index ? std::optional(described(key).words[*index]) : std::nullopt;
+}
+
 std::optional<std::size_t> TomlTable::choice(std::string_view key, std::span<const std::string_view> options,
                                              Need need) {
     const std::vector<std::string> known(options.begin(), options.end());

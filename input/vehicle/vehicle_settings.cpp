@@ -100,17 +100,16 @@ void read_aerodynamics(NumberReader& reader) {
 
 void read_shares(NumberReader& reader, VehicleKind& kind) {
     using enum VehicleNumber;
-    constexpr std::array<std::string_view, 3> driven{"front", "rear", "all"};
     TomlTable& table = reader.table;
-    const std::optional<std::size_t> word = table.choice("driven_axle");
-    const bool all = word && *word == static_cast<std::size_t>(DrivenAxle::all);
+    const std::optional<std::string_view> word = table.word("driven_axle");
+    const bool all = word == "all";
     reader.take(front_drive_share, all ? Need::required : Need::optional);
     if (!std::isnan(reader.numbers[front_drive_share]) && word && !all) {
         table.add_error("front_drive_share",
-                        fmt::format("front_drive_share is given, but only the {} axle is driven", driven[*word]),
+                        fmt::format("front_drive_share is given, but only the {} axle is driven", *word),
                         "write driven_axle = \"all\", or remove the share");
     }
-    kind.driven = word ? static_cast<DrivenAxle>(*word) : kind.driven;
+    kind.driven = all ? DrivenAxle::all : word == "front" ? DrivenAxle::front : DrivenAxle::rear;
     reader.require(front_brake_share, "0.65");
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The descriptions of keys: each once, complete, and found by the titles that messages use.
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "input/model/reader.hpp"
+#include "input/model/sensor_kinds.hpp"
 #include "input/schema/all_tables.hpp"
+#include "support/written.hpp"
 
 namespace tiretherm::input {
 
@@ -40,6 +44,20 @@ TEST(AllTables, AKeyMayDifferFromKindToKind) {
     EXPECT_TRUE(key("[mesh]", "crown_cells").is_of("section"));
     EXPECT_FALSE(key("[mesh]", "crown_cells").is_of("layers"));
     EXPECT_TRUE(key("[mesh]", "kind").is_of("layers"));
+}
+
+// Kinds are a list of their readers; the description prints it.
+TEST(AllTables, KindsAreThoseOfTheirReaders) {
+    std::vector<std::string_view> names;
+    std::ranges::transform(sensor_kinds(), std::back_inserter(names), &SensorKind::name);
+    EXPECT_EQ(key("[[sensor]]", "kind").words, names);
+    const Written written;
+    for (const std::string_view kind : key("[mesh]", "kind").words) {
+        const std::string text = "[mesh]\nkind = \"" + std::string(kind) + "\"\n";
+        for (const InputError& error : read_case(written.add("case.toml", text)).errors) {
+            EXPECT_FALSE(error.what.starts_with("kind cannot be")) << kind;
+        }
+    }
 }
 
 // By hand, from the manual.
