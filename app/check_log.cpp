@@ -13,7 +13,7 @@
 #include "app/given_units.hpp"
 #include "app/messages.hpp"
 #include "input/log_survey/log_survey.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 #include "post/report/report.hpp"
 #include "post/report/table.hpp"
 

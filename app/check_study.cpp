@@ -10,7 +10,7 @@
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "input/studies/study.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 #include "input/toml/document.hpp"
 #include "post/report/report.hpp"
 #include "post/report/table.hpp"

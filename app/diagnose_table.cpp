@@ -12,7 +12,7 @@
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "diagnosis/quoted/quoted_diagnosis.hpp"
-#include "input/text/run_name.hpp"
+#include "input/files/run_name.hpp"
 #include "input/validation/validation.hpp"
 #include "post/quoted/quoted_report.hpp"
 #include "solver/stop_signal.hpp"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/messages.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::app {
 

@@ -16,7 +16,7 @@
 #include "app/failure.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "post/identification/identification_report.hpp"
 #include "post/report/file.hpp"
 #include "solver/sensitivity/kept_results.hpp"

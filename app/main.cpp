@@ -19,6 +19,7 @@
 #include "app/messages.hpp"
 #include "app/output.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "solver/linear/petsc_factor.hpp"
 #include "solver/stop_signal.hpp"
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 #include "post/report/progress.hpp"
 
 namespace tiretherm::app {

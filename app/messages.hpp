@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "post/report/report.hpp"
 
 namespace tiretherm::app {

@@ -20,7 +20,7 @@
 #include "app/messages.hpp"
 #include "app/output.hpp"
 #include "app/simulated_run.hpp"
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "input/studies/what_if.hpp"
 #include "post/run/run_report.hpp"
 #include "solver/stop_signal.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "diagnosis/study/what_if.hpp"
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "input/studies/what_if.hpp"
 #include "post/report/output_folder.hpp"
 #include "post/run/run_files.hpp"

@@ -25,7 +25,7 @@
 #include "app/output.hpp"
 #include "app/study_merge.hpp"
 #include "diagnosis/study/study_runs.hpp"
-#include "input/measurements/runs.hpp"
+#include "input/runs/runs.hpp"
 #include "input/studies/study.hpp"
 #include "post/report/progress.hpp"
 #include "post/study/study_files.hpp"

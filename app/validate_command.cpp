@@ -18,7 +18,7 @@
 #include "app/messages.hpp"
 #include "diagnosis/validation/validation_rows.hpp"
 #include "diagnosis/validation/validation_runs.hpp"
-#include "input/text/run_name.hpp"
+#include "input/files/run_name.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/validation/validation.hpp"
 #include "post/report/progress.hpp"

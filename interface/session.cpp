@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "interface/tiretherm.h"
 #include "solver/quantity.hpp"
 #include "solver/time_integration/session.hpp"

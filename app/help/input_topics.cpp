@@ -9,7 +9,7 @@
 #include "app/help/topics.hpp"
 #include "input/model/sensor_kinds.hpp"
 #include "input/schema/all_tables.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/unit_text.hpp"
 #include "input/text/units.hpp"
 #include "physics/conventions.hpp"

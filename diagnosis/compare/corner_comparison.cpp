@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "input/corners/corner.hpp"
+#include "input/drive/corner.hpp"
 
 namespace tiretherm::diagnosis {
 

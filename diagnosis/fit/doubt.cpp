@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::diagnosis {
 

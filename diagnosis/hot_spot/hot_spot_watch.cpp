@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/continued_schedule.hpp"
+#include "input/runs/continued_schedule.hpp"
 #include "solver/in_parallel.hpp"
 #include "solver/linear/petsc_factor.hpp"
 #include "solver/stop_signal.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "diagnosis/hot_spot/hot_spots.hpp"
-#include "input/parameters/hot_spots.hpp"
+#include "input/runs/hot_spots.hpp"
 #include "solver/time_integration/march.hpp"
 
 namespace tiretherm::diagnosis {

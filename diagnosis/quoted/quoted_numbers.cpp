@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "input/measurements/runs.hpp"
+#include "input/runs/runs.hpp"
 
 namespace tiretherm::diagnosis::quoted {
 

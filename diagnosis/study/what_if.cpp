@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "solver/in_parallel.hpp"
 #include "solver/linear/petsc_factor.hpp"
 #include "solver/time_integration/run_to_end.hpp"

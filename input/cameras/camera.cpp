@@ -10,7 +10,6 @@
 
 #include "input/model/problem_builder.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "physics/camera.hpp"
 
 namespace tiretherm::input {

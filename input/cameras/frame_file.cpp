@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "input/files/regular_file.hpp"
 #include "input/tables/hdf5_datasets.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/regular_file.hpp"
 
 namespace tiretherm::input {
 

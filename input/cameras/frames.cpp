@@ -11,8 +11,9 @@
 
 #include "input/cameras/frame_file.hpp"
 #include "input/cameras/frame_warnings.hpp"
-#include "input/text/enough_memory.hpp"
+#include "input/files/enough_memory.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

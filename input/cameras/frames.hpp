@@ -2,8 +2,8 @@
 // Reads the camera frames of a measured run, which [[run]] names with the key `frames`.
 #pragma once
 
+#include "input/drive/run_table.hpp"
 #include "input/measurements/experiment.hpp"
-#include "input/measurements/run_table.hpp"
 #include "input/model/problem_builder.hpp"
 
 namespace tiretherm::input {

@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 
 #include "input/columns/column_kinds.hpp"
+#include "input/files/wildcard.hpp"
 #include "input/text/suggestions.hpp"
-#include "input/text/wildcard.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

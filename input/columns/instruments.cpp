@@ -11,9 +11,10 @@
 
 #include <fmt/format.h>
 
+#include "input/files/wildcard.hpp"
 #include "input/text/column_names.hpp"
 #include "input/text/suggestions.hpp"
-#include "input/text/wildcard.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

@@ -11,7 +11,7 @@
 
 #include "input/model/probes.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "physics/contact/travelling.hpp"
 #include "physics/tire_laws/disk_film.hpp"
 #include "solver/quantity_inputs.hpp"

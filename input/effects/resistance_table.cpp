@@ -11,6 +11,7 @@
 #include "input/tables/data_file.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

@@ -10,9 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "input/drive/run_inputs.hpp"
 #include "input/effects/formula_sampling.hpp"
-#include "input/measurements/run_inputs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
 
 namespace tiretherm::input {

@@ -15,9 +15,8 @@
 #include "input/loggers/heading_names.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/measurements/data_warnings.hpp"
-#include "input/measurements/runs.hpp"
 #include "input/new_case/log_columns.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/runs/runs.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "input/text/characters.hpp"
 #include "input/text/encoding.hpp"
-#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 

@@ -11,7 +11,7 @@
 
 #include "input/loggers/clock_words.hpp"
 #include "input/tables/csv.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

@@ -3,7 +3,7 @@
 
 #include "input/loggers/csv_layout.hpp"
 
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

@@ -13,7 +13,7 @@
 
 #include "input/loggers/logger_units.hpp"
 #include "input/tables/columns.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

@@ -13,7 +13,7 @@
 
 #include "input/loggers/binary_logs.hpp"
 #include "input/loggers/binary_numbers.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/loggers/csv_layout.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {

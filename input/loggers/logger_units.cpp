@@ -11,8 +11,8 @@
 
 #include "input/loggers/clock_words.hpp"
 #include "input/loggers/heading_names.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/column_names.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/unit_text.hpp"
 #include "input/text/units.hpp"
 

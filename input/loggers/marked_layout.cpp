@@ -6,7 +6,7 @@
 
 #include "input/loggers/csv_layout.hpp"
 #include "input/loggers/heading_names.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

@@ -13,12 +13,11 @@
 
 #include <fmt/format.h>
 
+#include "input/files/regular_file.hpp"
 #include "input/loggers/binary_logs.hpp"
 #include "input/loggers/binary_numbers.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/text/quantity.hpp"
-#include "input/text/regular_file.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
 #include "solver/stop_signal.hpp"
 

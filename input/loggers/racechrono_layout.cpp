@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "input/loggers/csv_layout.hpp"
-#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 

@@ -11,7 +11,7 @@
 
 #include "input/loggers/csv_layout.hpp"
 #include "input/loggers/logger_units.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/units.hpp"
 
 namespace tiretherm::input {

@@ -3,9 +3,9 @@
 
 #include "input/measurements/experiment.hpp"
 
-#include "input/corners/corner.hpp"
-#include "input/measurements/runs.hpp"
+#include "input/drive/corner.hpp"
 #include "input/model/petsc_refusal.hpp"
+#include "input/runs/runs.hpp"
 #include "input/toml/document.hpp"
 
 namespace tiretherm::input {

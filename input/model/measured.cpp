@@ -12,6 +12,7 @@
 #include "input/model/problem_builder.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

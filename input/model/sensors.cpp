@@ -15,6 +15,7 @@
 #include "input/model/sensor_kinds.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "mesh/ring.hpp"
 
 namespace tiretherm::input {

@@ -10,7 +10,7 @@
 #include "input/model/law.hpp"
 #include "input/model/problem_builder.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/tire_property_file/tir_file.hpp"
 #include "input/tire_property_file/tire_size.hpp"
 #include "physics/tire_laws/scaled_tire.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "input/new_case/case_tables.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/toml/toml_text.hpp"
 #include "physics/vehicle/vehicle.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "input/new_case/case_writer.hpp"
 #include "input/tables/csv.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

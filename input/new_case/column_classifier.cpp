@@ -15,9 +15,9 @@
 #include "input/loggers/logger_units.hpp"
 #include "input/new_case/case_writer.hpp"
 #include "input/new_case/rig_columns.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/column_names.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/vehicle/vehicle_log.hpp"
 
 namespace tiretherm::input {

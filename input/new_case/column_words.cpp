@@ -6,6 +6,7 @@
 #include <array>
 
 #include "input/loggers/logger_units.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/column_names.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"

@@ -11,16 +11,16 @@
 
 #include <fmt/format.h>
 
+#include "input/drive/run_inputs.hpp"
+#include "input/files/wildcard.hpp"
 #include "input/laps/file_laps.hpp"
 #include "input/loggers/car_columns.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/measurements/dead_stretches.hpp"
-#include "input/measurements/run_inputs.hpp"
 #include "input/new_case/column_classifier.hpp"
 #include "input/new_case/rig_columns.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
-#include "input/text/wildcard.hpp"
 #include "input/vehicle/dead_channels.hpp"
 #include "input/vehicle/vehicle_log.hpp"
 #include "physics/vehicle/vehicle.hpp"

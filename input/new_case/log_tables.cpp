@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "input/new_case/case_tables.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {

@@ -7,11 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "input/corners/corner.hpp"
+#include "input/drive/corner.hpp"
 #include "input/loggers/car_columns.hpp"
-#include "input/measurements/runs.hpp"
 #include "input/new_case/case_tables.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/runs/runs.hpp"
+#include "input/text/characters.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/toml/toml_text.hpp"
 #include "physics/tire.hpp"
 

@@ -10,7 +10,8 @@
 #include <fmt/format.h>
 
 #include "input/parameters/fitted_effects.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/toml/document.hpp"
 #include "input/toml/toml_text.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/toml/toml_text.hpp"
 #include "physics/user_effect_place.hpp"
 

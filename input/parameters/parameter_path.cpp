@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "input/effects/user_effects.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/vehicle/vehicle_numbers.hpp"
 #include "physics/signals.hpp"
 #include "physics/user_effect_place.hpp"

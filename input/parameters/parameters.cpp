@@ -10,11 +10,12 @@
 
 #include <fmt/format.h>
 
-#include "input/corners/parameter_groups.hpp"
 #include "input/effects/user_effects.hpp"
+#include "input/parameters/parameter_groups.hpp"
 #include "input/parameters/resolve.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "input/columns/column_kinds.hpp"
-#include "input/corners/parameter_groups.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/problem_builder.hpp"
+#include "input/parameters/parameter_groups.hpp"
 
 namespace tiretherm::input {
 

@@ -8,6 +8,7 @@
 
 #include "input/effects/user_effects.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

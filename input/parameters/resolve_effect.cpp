@@ -9,6 +9,7 @@
 #include "input/parameters/resolve.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "physics/user_effect_place.hpp"
 #include "solver/user_effect.hpp"
 

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "input/parameters/resolve.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

@@ -11,13 +11,13 @@
 
 #include <fmt/format.h>
 
-#include "input/measurements/runs.hpp"
 #include "input/model/petsc_refusal.hpp"
-#include "input/model/reader.hpp"
 #include "input/parameters/parameter_path.hpp"
+#include "input/runs/reader.hpp"
+#include "input/runs/runs.hpp"
 #include "input/studies/study_fingerprint.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {

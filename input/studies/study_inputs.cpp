@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "input/studies/study.hpp"
-#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 
 namespace tiretherm::input {
 

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "input/loggers/logger_units.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "input/loggers/logger_units.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

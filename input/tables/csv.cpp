@@ -7,7 +7,7 @@
 #include <array>
 
 #include "input/loggers/heading_names.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {

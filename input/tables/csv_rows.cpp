@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "input/loggers/csv_layout.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/error_limiter.hpp"
-#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 

@@ -10,7 +10,6 @@
 #include "input/loggers/csv_layout.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/tables/csv_rows.hpp"
-#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 

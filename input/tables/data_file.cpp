@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "input/files/enough_memory.hpp"
+#include "input/files/regular_file.hpp"
 #include "input/loggers/binary_logs.hpp"
 #include "input/loggers/clock_times.hpp"
 #include "input/loggers/heading_names.hpp"
@@ -19,8 +21,6 @@
 #include "input/tables/csv.hpp"
 #include "input/tables/hdf5_datasets.hpp"
 #include "input/tables/probe_table.hpp"
-#include "input/text/enough_memory.hpp"
-#include "input/text/regular_file.hpp"
 #include "input/text/table_shelf.hpp"
 #include "input/toml/document.hpp"
 #include "input/toml/toml_text.hpp"

@@ -12,12 +12,13 @@
 
 #include <fmt/format.h>
 
+#include "input/files/nearby_file.hpp"
+#include "input/files/regular_file.hpp"
 #include "input/tables/hdf5_extent.hpp"
 #include "input/tables/hdf5_handle.hpp"
 #include "input/tables/hdf5_trial.hpp"
-#include "input/text/nearby_file.hpp"
-#include "input/text/regular_file.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

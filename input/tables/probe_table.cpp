@@ -13,7 +13,7 @@
 
 #include "input/loggers/csv_layout.hpp"
 #include "input/tables/csv.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

@@ -10,8 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/table_shelf.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 

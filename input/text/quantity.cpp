@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "input/text/characters.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/unit_text.hpp"
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cctype>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "input/tables/csv.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/quantity.hpp"
-#include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {
 

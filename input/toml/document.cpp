@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/run_name.hpp"
+#include "input/files/run_name.hpp"
 #include "input/text/suggestions.hpp"
 
 namespace tiretherm::input {

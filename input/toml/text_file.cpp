@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "input/files/enough_memory.hpp"
+#include "input/files/nearby_file.hpp"
+#include "input/files/regular_file.hpp"
 #include "input/text/encoding.hpp"
-#include "input/text/enough_memory.hpp"
-#include "input/text/nearby_file.hpp"
-#include "input/text/regular_file.hpp"
 #include "input/toml/document.hpp"
 
 namespace tiretherm::input {

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "input/files/regular_file.hpp"
+#include "input/text/characters.hpp"
 #include "input/text/quantity.hpp"
-#include "input/text/regular_file.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/toml/document.hpp"
 #include "input/toml/toml_depth.hpp"
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "input/text/characters.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/toml/toml_table.hpp"
 

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "input/measurements/runs.hpp"
 #include "input/model/petsc_refusal.hpp"
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
+#include "input/runs/runs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/validation/validation_reader.hpp"
 

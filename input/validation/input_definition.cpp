@@ -11,6 +11,7 @@
 
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "physics/signals.hpp"
 
 namespace tiretherm::input {

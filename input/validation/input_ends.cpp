@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/validation/validation_reader.hpp"
 
 namespace tiretherm::input {

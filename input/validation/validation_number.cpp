@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/validation/validation_reader.hpp"
 
 namespace tiretherm::input {

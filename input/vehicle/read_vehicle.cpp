@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/vehicle/vehicle_input_model.hpp"
 
 namespace tiretherm::input {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/tire_property_file/tir_file.hpp"
 
 namespace tiretherm::input {

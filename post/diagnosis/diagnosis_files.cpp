@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "input/model/reader.hpp"
 #include "input/parameters/fitted_case.hpp"
+#include "input/runs/reader.hpp"
 #include "post/comparison/corner_sections.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"

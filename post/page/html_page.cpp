@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 #include "post/page/assets.hpp"
 #include "post/page/page_origin.hpp"
 #include "post/report/file.hpp"

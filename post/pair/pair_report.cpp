@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/compare/stretch.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "post/page/charts.hpp"
 
 namespace tiretherm::post {

@@ -12,7 +12,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/characters.hpp"
 #include "post/report/table.hpp"
 #include "solver/celsius.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "mesh/place.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
 #include "post/laps/heat_by_lap.hpp"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "physics/effect.hpp"
 #include "tests/app/program.hpp"
 #include "tests/input/measurements/measured_bench.hpp"

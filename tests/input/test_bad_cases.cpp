@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "tests/input/model/expected.hpp"
 
 // Each file tests/bad_cases/NAME.toml is wrong in one way, or in many; NAME.txt holds what the user must then read, to

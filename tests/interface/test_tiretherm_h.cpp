@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "interface/tiretherm.h"
 #include "post/report/file.hpp"
 #include "solver/time_integration/session.hpp"

@@ -10,7 +10,7 @@
 
 #include <unistd.h>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 
 namespace tiretherm::input {
 

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "input/validation/trace.hpp"
 #include "solver/time_integration/march.hpp"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "input/model/continued_schedule.hpp"
+#include "input/runs/continued_schedule.hpp"
 #include "input/studies/study.hpp"
 #include "support/written.hpp"
 

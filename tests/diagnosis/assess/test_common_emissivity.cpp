@@ -13,7 +13,7 @@
 
 #include "diagnosis/assess/diagnosis.hpp"
 #include "input/measurements/experiment.hpp"
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "post/scratch.hpp"
 #include "solver/time_integration/march.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "tests/input/measurements/measured_bench.hpp"
 
 namespace tiretherm::diagnosis {

@@ -3,7 +3,7 @@
 #include "diagnosis/findings/parameter_findings.hpp"
 #include "diagnosis/findings/sensor_kind.hpp"
 #include "diagnosis/practice_bench.hpp"
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::diagnosis {

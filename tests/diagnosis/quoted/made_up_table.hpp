@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/quoted/quoted_diagnosis.hpp"
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "input/validation/trace.hpp"
 #include "input/validation/validation.hpp"
 #include "solver/time_integration/run_to_end.hpp"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/corners/corner.hpp"
+#include "input/drive/corner.hpp"
 #include "input/measurements/measured_bench.hpp"
 #include "input/parameters/fitted_case.hpp"
 

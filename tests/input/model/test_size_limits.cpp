@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/reader.hpp"
 #include "input/model/size_limits.hpp"
+#include "input/runs/reader.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::input {

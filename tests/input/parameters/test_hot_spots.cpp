@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // [[critical]] and [[uncertain]]: what a case says of its hot spots, and the test that goes on after its last step.
-#include "input/parameters/hot_spots.hpp"
+#include "input/runs/hot_spots.hpp"
 
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "input/model/continued_schedule.hpp"
+#include "input/runs/continued_schedule.hpp"
 #include "support/warming_lump.hpp"
 #include "support/written.hpp"
 

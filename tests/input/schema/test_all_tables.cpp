@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/reader.hpp"
 #include "input/model/sensor_kinds.hpp"
+#include "input/runs/reader.hpp"
 #include "input/schema/all_tables.hpp"
 #include "support/written.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "input/studies/study.hpp"
 #include "solver/time_integration/march.hpp"
 #include "support/written.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "input/studies/study.hpp"
 #include "tests/input/model/expected.hpp"
 

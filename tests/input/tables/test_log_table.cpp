@@ -6,7 +6,7 @@
 #include "input/log_survey/log_survey.hpp"
 #include "input/loggers/ld_writer.hpp"
 #include "input/measurements/measured_bench.hpp"
-#include "input/measurements/runs.hpp"
+#include "input/runs/runs.hpp"
 #include "input/tables/data_file.hpp"
 #include "input/text/table_shelf.hpp"
 #include "input/toml/document.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/text/wildcard.hpp"
+#include "input/files/wildcard.hpp"
 
 namespace tiretherm::input {
 

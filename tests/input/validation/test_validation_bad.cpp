@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "input/validation/validation.hpp"
 #include "tests/input/model/expected.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "post/run/run_files.hpp"
 #include "solver/time_integration/march.hpp"
 

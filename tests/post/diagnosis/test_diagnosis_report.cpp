@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "diagnosis/detect/confounded_effects.hpp"
-#include "input/model/reader.hpp"
+#include "input/runs/reader.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/report/file.hpp"
 #include "post/report/number_text.hpp"

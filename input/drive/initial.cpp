@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [initial]: start temperatures of the layers and of lumped nodes such as gas and rim, as values, as
+// "air_temperature" or as what a sensor of the run reads.
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "input/model/probes.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// Reads the keys of [initial].
+struct StartReader {
+    const ProblemBuilder& builder;
+    std::vector<std::string> channels;  ///< that [[sensor]] makes
+
+    [[nodiscard]] bool is_sensor(std::string_view name) const {
+        return std::ranges::any_of(channels, [&](const std::string& channel) { return is_channel_of(channel, name); });
+    }
+    [[nodiscard]] std::optional<double> read(TomlTable& initial, std::string_view key,
+                                             Need need = Need::optional) const;
+};
+
+/// The air around the tire when the run starts; nothing where no air is given.
+std::optional<double> first_air(const ProblemBuilder& builder) {
+    const solver::Problem& problem = builder.problem;
+    return builder.given.contains("air_temperature")
+               ? std::optional(
+                     problem.input_signals.at(problem.settings.start, solver::JumpSide::after).air_temperature)
+               : std::nullopt;
+}
+
+/// The sensors' mean at the start of the run, in its first second. @param sensor its name, or that of an array
+std::optional<double> first_reading(const ProblemBuilder& builder, std::string_view sensor) {
+    constexpr double span = 1.0;  // s
+    const double start = builder.problem.settings.start + (builder.run ? builder.run->lead : 0.0);
+    double sum = 0.0;
+    int count = 0;
+    for (const StartReading& one : builder.run ? builder.run->start_readings : std::vector<StartReading>{}) {
+        const std::vector<double>& time = one.reading.time;
+        if (!is_channel_of(one.sensor, sensor)) {
+            continue;
+        }
+        const auto first = static_cast<std::size_t>(std::ranges::lower_bound(time, start) - time.begin());
+        for (std::size_t i = first; i < time.size() && (i == first || time[i] <= start + span); ++i) {
+            sum += one.reading.value[i];
+            ++count;
+        }
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+/// A temperature, or that of the air by the name of the input, or that of a sensor by its name.
+std::optional<double> StartReader::read(TomlTable& initial, std::string_view key, Need need) const {
+    const TomlValue* node = initial.value(key, Need::optional);
+    const bool is_text = node != nullptr && node->kind == TomlValue::Kind::text;
+    if (is_text && is_sensor(node->text)) {
+        const std::optional<double> read = first_reading(builder, node->text);
+        const bool is_reported =
+            builder.run && (builder.run->unreadable || (builder.run->has_file && !builder.run->first));
+        if (!read && !is_reported) {
+            initial.add_error(key,
+                              fmt::format("{} is set to what {} reads, and {} has no such reading", key, node->text,
+                                          builder.run ? "the run " + builder.run->name : "a case without a run"),
+                              "write a temperature, or give this run a start of its own: initial = { temperature = "
+                              "\"40 degC\" }");
+        }
+        return read;
+    }
+    if (is_text && node->text != "air_temperature" && !node->text.empty() && !leading_number(node->text)) {
+        std::vector<std::string> names = channels;
+        names.emplace_back("air_temperature");
+        const std::string near = nearest(node->text, names);
+        initial.add_error(
+            key, fmt::format("{} is \"{}\", which is neither a temperature nor a sensor", key, node->text),
+            near.empty() ? fmt::format("write a temperature, such as \"25 degC\", or one of: {}", listed(names))
+                         : fmt::format("did you mean `{}`?", near));
+        return std::nullopt;
+    }
+    if (!is_text || node->text != "air_temperature") {
+        return initial.quantity(key, quantity_specs::temperature, need);
+    }
+    const std::optional<double> air = first_air(builder);
+    if (!air) {
+        initial.add_error(key, fmt::format("{} is set to \"air_temperature\", but no air temperature is given", key),
+                          "add air_temperature to [drive], or write a temperature");
+    }
+    return air;
+}
+
+}  // namespace
+
+void read_initial(TomlTable& root, ProblemBuilder& builder) {
+    TomlTable initial = root.subtable("initial", Need::required);
+    const StartReader start{.builder = builder, .channels = sensor_names(root.content())};
+    const std::size_t before = initial.errors().count();
+    if (!builder.has_mesh) {
+        for (const Entry& layer : initial.content().entries) {
+            static_cast<void>(start.read(initial, layer.key));
+        }
+        return;
+    }
+    const mesh::Mesh& mesh = builder.problem.mesh;
+    const bool by_layer = std::any_of(mesh.layers.begin(), mesh.layers.end(),
+                                      [&](const std::string& layer) { return initial.has(layer); });
+    const std::optional<double> everywhere =
+        start.read(initial, "temperature", by_layer ? Need::optional : Need::required);
+    std::vector<double> of_layer;
+    for (const std::string& layer : mesh.layers) {
+        const bool needed = by_layer && !initial.has("temperature");
+        const auto own = start.read(initial, layer, needed ? Need::required : Need::optional);
+        of_layer.push_back(own.value_or(everywhere.value_or(0.0)));
+    }
+    // Gas and rim start with the air around them, or as the rest where there is no air.
+    const double around = first_air(builder).value_or(everywhere.value_or(of_layer.front()));
+    std::map<int, double> of_node;
+    for (const mesh::LumpedNode& lumped_node : mesh.lumped_nodes) {
+        of_node[lumped_node.node] = start.read(initial, lumped_node.name).value_or(around);
+    }
+    if (initial.errors().count() > before) {
+        return;
+    }
+    for (int node = 0; node < mesh.n_nodes; ++node) {
+        const int layer = mesh.layer[static_cast<std::size_t>(node)];
+        builder.problem.initial.push_back(layer < 0 ? of_node.at(node) : of_layer[static_cast<std::size_t>(layer)]);
+    }
+}
+
+}  // namespace tiretherm::input

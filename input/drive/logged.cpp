@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [[drive.file]]: the log of a data logger, with the same keys for its columns as [[run]], as input signals.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "input/drive/run_inputs.hpp"
+#include "input/measurements/dead_stretches.hpp"
+#include "input/model/problem_builder.hpp"
+#include "input/tables/data_file.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/vehicle/dead_channels.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The time first, then the columns that the case takes from this file.
+/// @param outranked out, whether a measured run's file or a constant of the case gives an input instead
+std::vector<ColumnRequest> requests(const TomlTable& table, const DataFile& file, const RunColumns& columns,
+                                    ProblemBuilder& builder, bool& outranked) {
+    InputErrors& errors = table.errors();
+    std::vector<ColumnRequest> found{file.request(columns.time, "time", quantity_specs::moment, Purpose::clock)};
+    const auto place_of = [&](int column) { return file.heads()[static_cast<std::size_t>(column)].place; };
+    for (const auto& [column, name, input, is_sensor] : columns.used) {
+        const std::size_t before = errors.count();
+        if (!builder.overridden("file", name) &&
+            register_signal(name, place_of(column), table.place("path"), builder, errors)) {
+            found.push_back(file.request(column, name, quantity_specs::of(*input)));
+        } else {
+            outranked = outranked || errors.count() == before;
+        }
+    }
+    builder.columns.reserve(builder.columns.size() + columns.followed.size());  // requests look into it
+    for (const auto& [column, name] : columns.followed) {
+        if (std::ranges::find(builder.columns, name, &UserColumn::name) != builder.columns.end()) {
+            errors.add(place_of(column), fmt::format("a second column is called {}", name), "ignore one of them");
+            continue;
+        }
+        // Its own unit says what its numbers are.
+        const Heading& heading = file.heads()[static_cast<std::size_t>(column)].heading;
+        builder.columns.push_back({.name = name, .unit = base_unit(heading.unit), .signal = {}});
+        found.push_back(file.request(column, name, {.unit = builder.columns.back().unit}));
+    }
+    return found;
+}
+
+}  // namespace
+
+void read_logged(TomlTable& table, ProblemBuilder& builder) {
+    InputErrors& errors = table.errors();
+    const std::optional<std::string> path = table.text("path");
+    ColumnKeys keys;
+    keys.read(table);
+    if (!path) {
+        return;
+    }
+    const SourceLocation mentioned = table.place("path");
+    const fs::path beside = fs::path(errors.file(mentioned.file)).parent_path();
+    std::optional<DataFile> file = DataFile::open((beside / *path).lexically_normal(), mentioned, errors);
+    if (!file) {
+        return;
+    }
+    const std::size_t before = errors.count();
+    const RunColumns columns = classify_columns(*file, keys, {}, builder.followed, errors);
+    for (const UsedColumn& column : columns.used) {
+        static_cast<void>(keys.holds(column.name));  // which is known then
+    }
+    for (const FollowedColumn& column : columns.followed) {
+        static_cast<void>(keys.holds(column.name));
+    }
+    keys.report_unknown_columns(errors);
+    if (columns.time < 0) {
+        errors.add(file->heads().front().place, "the file has no column time [s]",
+                   "rename one: columns = { t = \"time\" }");
+        return;
+    }
+    bool outranked = false;
+    const std::vector<ColumnRequest> requested = requests(table, *file, columns, builder, outranked);
+    if (requested.size() == 1 && !outranked && errors.count() == before) {
+        table.add_error("path", "no column of the file is an input",
+                        "rename columns to inputs: columns = { V = \"speed\" }");
+        return;
+    }
+    std::vector<int> rows;
+    std::ranges::transform(requested, std::back_inserter(rows), &ColumnRequest::column);
+    file->choose_rows(rows);
+    std::vector<std::vector<double>> values = file->read(requested, errors);
+    if (values.empty()) {
+        return;
+    }
+    const std::vector<double> time = std::move(values.front());
+    if (std::ranges::any_of(builder.followed, is_vehicle_signal)) {
+        builder.course = course_over_ground(*file, time, errors);
+    }
+    builder.logged_from = std::min(builder.logged_from.value_or(time.front()), time.front());
+    builder.logged_to = std::max(builder.logged_to.value_or(time.back()), time.back());
+    if (values.size() > 1) {
+        builder.take_driven(time);
+    }
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        const std::string& name = requested[i].name;
+        const SourceLocation& place = file->heads()[static_cast<std::size_t>(requested[i].column)].place;
+        const std::string dead =
+            keys.keeps_suspicious() ? std::string() : remove_dead(time, values[i], requested[i].spec.unit);
+        if (!dead.empty()) {
+            errors.warn(place, fmt::format("{} {}: left out", name, dead));
+        }
+        if (!judge_gaps(name, time, values[i],
+                        {.place = place, .elsewhere = fmt::format("ignore the column and give {} in [drive]", name)},
+                        errors)) {
+            continue;
+        }
+        solver::SignalHistory known = known_samples(time, values[i]);
+        if (keys.holds(name)) {
+            known = held(known);
+        }
+        if (physics::find_signal(name) == nullptr) {
+            UserColumn& column = *std::ranges::find(builder.columns, name, &UserColumn::name);
+            column.signal = std::move(known);
+            column.beside = live_column_beside(*file, requested[i].column, column, time, errors);
+            continue;
+        }
+        builder.problem.input_signals.add(solver::Series{.signal = physics::find_signal(name),
+                                                         .time = std::move(known.time),
+                                                         .value = std::move(known.value),
+                                                         .logged = true});
+    }
+}
+
+}  // namespace tiretherm::input

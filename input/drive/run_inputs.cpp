@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the samples within `from` and `to`, bridges short gaps by straight lines and refuses long ones.
+
+#include "input/drive/run_inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "input/drive/step_times.hpp"
+#include "input/laps/file_laps.hpp"
+#include "input/measurements/data_stretches.hpp"
+#include "input/measurements/dead_stretches.hpp"
+#include "input/model/probes.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "input/vehicle/dead_channels.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+// Beyond both an input is no longer known: longer than a tire's surface takes to forget (s), and a share of the run.
+constexpr double longest_gap = 60.0;
+constexpr double longest_share = 0.05;
+
+/// Stretches of missing samples.
+struct Missing {
+    std::size_t samples = 0;   ///< that the channel's own pace lacks
+    std::size_t expected = 0;  ///< samples at its own pace
+    double longest = 0.0;      ///< s, from the last value before to the first value after
+    double from = 0.0;         ///< s, where the longest begins
+};
+
+/// Time between the samples that have a value, the median; 0 with fewer than two of them.
+double pace_of(const std::vector<double>& time, const std::vector<double>& value) {
+    std::vector<double> steps;
+    steps.reserve(time.size());
+    double last = std::nan("");
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (!std::isnan(value[i])) {
+            if (time[i] > last) {
+                steps.push_back(time[i] - last);
+            }
+            last = time[i];
+        }
+    }
+    if (steps.empty()) {
+        return 0.0;
+    }
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+/// A channel that was recorded more slowly than others has a value in every second or tenth line alone: missing is what its
+/// own pace lacks. Of lines without a value at most as many are missing as there are.
+Missing find_missing(const std::vector<double>& time, const std::vector<double>& value) {
+    Missing missing;
+    const double pace = pace_of(time, value);
+    double known = time.front();
+    std::size_t empty = 0;  // lines without a value since the last one with it
+    const auto close = [&](double until, bool at_end) {
+        // At an end the next sample would come after it, unless a whole step or more is left.
+        const double left = pace > 0.0 ? (until - known) / pace : 0.0;
+        const double steps = at_end ? std::floor(left + 1e-6) : std::round(left) - 1.0;
+        const std::size_t lacking =
+            pace > 0.0 ? static_cast<std::size_t>(std::clamp(steps, 0.0, static_cast<double>(empty))) : empty;
+        missing.samples += lacking;
+        missing.expected += lacking;
+        return lacking > 0;
+    };
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        const bool here = !std::isnan(value[i]);
+        missing.expected += here ? 1 : 0;
+        empty += here ? 0 : 1;
+        if (here || i + 1 == time.size()) {
+            const bool at_end = !here || empty == i;  // of the run, whose other side is not known
+            const bool gap = empty > 0 && close(time[i], at_end);
+            if (gap && time[i] - known > missing.longest) {
+                missing.longest = time[i] - known;
+                missing.from = known;
+            }
+            known = time[i];
+            empty = 0;
+        }
+    }
+    return missing;
+}
+
+bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
+    const std::vector<double>& time = file.time;
+    std::optional<double> from = run.from;
+    std::optional<double> to = run.to;
+    file.laps = find_laps(file.file, time, run.start_line, run.laps.has_value(), errors);
+    if (run.laps) {
+        LapChoice choice = choose_laps(run.laps->text, file.laps);
+        if (!choice.window) {
+            errors.add(run.laps->place, std::move(*choice.error), std::move(choice.remedy));
+            return false;
+        }
+        from = choice.window->from;
+        to = choice.window->to;
+        file.left_out = std::move(choice.left_out);
+        if (run.repeat_first_lap > 0 && choice.starts_from_the_pits) {
+            errors.warn(run.laps->place,
+                        "the lap that is driven before is the first of the file: if the car comes from the pits, speed "
+                        "and forces "
+                        "jump between its repetitions; let laps begin with the next");
+        }
+        file.repeated = {.from = *from, .to = choice.first_ends, .times = run.repeat_first_lap};
+    }
+    const auto first = from ? std::lower_bound(time.begin(), time.end(), *from) : time.begin();
+    const auto last = to ? std::upper_bound(time.begin(), time.end(), *to) : time.end();
+    const SourceLocation place = run.place.file >= 0 ? run.place : SourceLocation{.file = file.file.number()};
+    if (last - first < 2) {
+        const std::string span = fmt::format("the file goes from {:.6g} s to {:.6g} s", time.front(), time.back());
+        errors.add(place,
+                   from || to ? fmt::format("fewer than two samples lie between from and to: {}", span)
+                              : "the file has a single sample: a run goes from one time to another",
+                   from || to ? "choose from and to within the file"
+                              : "a single reading is a [[measured]] of the case, with channel, value and time");
+        return false;
+    }
+    file.first = static_cast<std::size_t>(first - time.begin());
+    file.last = static_cast<std::size_t>(last - time.begin());
+    return true;
+}
+
+}  // namespace
+
+solver::SignalHistory known_samples(const std::vector<double>& time, const std::vector<double>& value) {
+    solver::SignalHistory known;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        if (!std::isnan(value[k])) {
+            known.time.push_back(time[k]);
+            known.value.push_back(value[k]);
+        }
+    }
+    return known;
+}
+
+solver::SignalHistory held(const solver::SignalHistory& samples) {
+    solver::SignalHistory steps;
+    for (std::size_t i = 0; i < samples.time.size(); ++i) {
+        if (i > 0 && samples.value[i] != samples.value[i - 1] && samples.time[i] > samples.time[i - 1]) {
+            steps.time.push_back(samples.time[i]);
+            steps.value.push_back(samples.value[i - 1]);
+        }
+        steps.time.push_back(samples.time[i]);
+        steps.value.push_back(samples.value[i]);
+    }
+    return steps;
+}
+
+bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
+                const GapRemedy& remedy, InputErrors& errors) {
+    if (std::optional<ErrorText> error = gap_error(name, time, value)) {
+        const bool splits = remedy.can_split && !error->remedy.empty();
+        errors.add(remedy.place, error->what,
+                   splits ? fmt::format("{}; or {}", error->remedy, remedy.elsewhere) : remedy.elsewhere);
+        return false;
+    }
+    if (const Missing missing = find_missing(time, value); missing.samples > 0) {
+        errors.warn(remedy.place,
+                    fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
+                                "is taken as straight between its neighbours",
+                                name, missing.samples, missing.expected, missing.longest, missing.from));
+    }
+    return true;
+}
+
+bool too_long_a_gap(double gap, double length) { return gap > longest_gap && gap > longest_share * length; }
+
+std::optional<ErrorText> gap_error(const std::string& name, const std::vector<double>& time,
+                                   const std::vector<double>& value) {
+    const Missing missing = find_missing(time, value);
+    const double length = time.back() - time.front();
+    if (std::ranges::all_of(value, [](double v) { return std::isnan(v); })) {
+        return ErrorText{fmt::format("{} has no value in the run", name), ""};
+    }
+    if (too_long_a_gap(missing.longest, length)) {
+        return ErrorText{fmt::format("{} is missing for {:.6g} s from {:.6g} s on, {:.0f} % of the run", name,
+                                     missing.longest, missing.from, 100.0 * missing.longest / length),
+                         "split the run there: a [[run]] up to the gap and one from its end, with from and to"};
+    }
+    if (missing.longest > short_gap &&
+        static_cast<double>(missing.samples) > most_missing_share * static_cast<double>(missing.expected)) {
+        return ErrorText{fmt::format("{} is missing in {} of {} samples", name, missing.samples, missing.expected),
+                         "leave out the part where it is missing, with from and to"};
+    }
+    return std::nullopt;
+}
+
+std::optional<RunFile> open_run_file(const RunTable& run, const TomlValue& document,
+                                     const std::vector<std::string>& sensors, const std::vector<std::string>& followed,
+                                     InputErrors& errors) {
+    std::optional<DataFile> file = DataFile::open(*run.file, run.place, errors);
+    if (!file) {
+        return std::nullopt;
+    }
+    if (file->table().moments != LogTable::Moments::times) {
+        std::optional<std::vector<double>> times = step_times(*file, document, errors);
+        if (!times) {
+            return std::nullopt;
+        }
+        file->take_times(std::move(*times));
+    }
+    RunColumns columns = classify_columns(*file, *run.keys, sensors, followed, errors);
+    RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
+    opened.file.choose_rows(opened.columns.chosen());
+    if (opened.columns.time < 0) {
+        errors.add(opened.file.heads().front().place, "the file has no column time [s]",
+                   "rename one: columns = { t = \"time\" }");
+        return opened;
+    }
+    std::vector<std::vector<double>> read = opened.file.read(
+        {opened.file.request(opened.columns.time, "time", quantity_specs::moment, Purpose::clock)}, errors);
+    if (!read.empty()) {
+        opened.time = std::move(read.front());
+        if (!find_samples(run, opened, errors)) {
+            opened.time.clear();
+        }
+    }
+    return opened;
+}
+
+namespace {
+
+/// The columns that user effects follow, in base units whatever their unit is.
+void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, InputErrors& errors) {
+    const std::vector<FollowedColumn>& followed = file.columns.followed;
+    std::vector<ColumnRequest> requests;
+    into.columns.reserve(followed.size());  // requests look into it
+    for (const FollowedColumn& column : followed) {
+        const ColumnHead& head = file.file.heads()[static_cast<std::size_t>(column.column)];
+        into.columns.push_back({.name = column.name, .unit = base_unit(head.heading.unit), .signal = {}});
+        requests.push_back(file.file.request(column.column, column.name, {.unit = into.columns.back().unit}));
+    }
+    const std::vector<std::vector<double>> read = file.file.read(requests, errors);
+    for (std::size_t i = 0; !file.time.empty() && i < read.size(); ++i) {
+        const auto first = static_cast<std::ptrdiff_t>(file.first);
+        const auto last = static_cast<std::ptrdiff_t>(file.last);
+        const std::vector<double> time(file.time.begin() + first, file.time.begin() + last);
+        const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
+        const SourceLocation& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
+        const GapRemedy remedy{.place = place, .elsewhere = "let the effect follow another signal", .can_split = true};
+        if (judge_gaps(followed[i].name, time, value, remedy, errors)) {
+            const solver::SignalHistory known = file.repeated.before(known_samples(time, value));
+            into.columns[i].signal = keys.holds(followed[i].name) ? held(known) : known;
+            into.columns[i].beside =
+                live_column_beside(file.file, followed[i].column, into.columns[i], file.time, errors);
+        }
+    }
+}
+
+}  // namespace
+
+RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors& errors) {
+    RunInputs into{.table = run.table, .name = run.name, .place = run.place};
+    into.has_file = run.file.has_value();
+    if (file == nullptr) {
+        into.unreadable = into.has_file;
+        return into;
+    }
+    if (into.place.file < 0) {
+        into.place = {.file = file->file.number()};
+    }
+    into.unreadable = file->columns.misnamed;
+    for (const ColumnHead& head : file->file.heads()) {
+        into.headings.push_back(head.heading.name);
+    }
+    read_followed(*file, *run.keys, into, errors);
+    std::vector<ColumnRequest> requests;
+    for (const UsedColumn& column : file->columns.used) {
+        if (column.input != nullptr) {
+            const ColumnHead& head = file->file.heads()[static_cast<std::size_t>(column.column)];
+            requests.push_back(file->file.request(column.column, column.name, quantity_specs::of(*column.input)));
+            into.inputs.push_back({.signal = column.input, .place = head.place, .time = {}, .value = {}});
+        }
+    }
+    std::vector<std::vector<double>> read = file->file.read(requests, errors);
+    if (file->time.empty()) {
+        return into;
+    }
+    const auto first = static_cast<std::ptrdiff_t>(file->first);
+    const auto last = static_cast<std::ptrdiff_t>(file->last);
+    const std::vector<double> time(file->time.begin() + first, file->time.begin() + last);
+    into.lead = file->repeated.lead();
+    into.left_out = file->left_out;
+    into.file_first = file->time.front();
+    into.part_of_file = run.from || run.laps;
+    into.first = time.front() - into.lead;
+    into.last = time.back();
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        MeasuredInput& input = into.inputs[i];
+        const std::string dead =
+            run.keys->keeps_suspicious() ? std::string() : remove_dead(file->time, read[i], input.signal->unit);
+        if (!dead.empty()) {
+            errors.warn(input.place, fmt::format("{} {}: left out", requests[i].name, dead));
+        }
+        const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
+        const GapRemedy remedy{.place = input.place,
+                               .elsewhere = fmt::format("ignore the column and give {} in [drive]", requests[i].name),
+                               .can_split = true};
+        if (!judge_gaps(requests[i].name, time, value, remedy, errors)) {
+            continue;
+        }
+        solver::SignalHistory known = file->repeated.before(known_samples(time, value));
+        if (run.keys->holds(requests[i].name)) {
+            known = held(known);
+        }
+        input.time = std::move(known.time);
+        input.value = std::move(known.value);
+    }
+    return into;
+}
+
+namespace {
+
+/// The inputs as the data checks look at them.
+Recording recording_of_inputs(const RunInputs& inputs) {
+    Recording recording;
+    for (const MeasuredInput& input : inputs.inputs) {
+        RecordedColumn& column = recording.columns.emplace_back();
+        column.name = input.signal->name;
+        column.is_input = true;
+        column.time = input.time;
+        column.value = input.value;
+    }
+    return recording;
+}
+
+}  // namespace
+
+std::vector<StartReading> start_readings(const RunTable& run, const RunFile& file, const RunInputs& inputs,
+                                         const TomlValue& document, const InputErrors& errors) {
+    std::vector<StartReading> found;
+    std::vector<ColumnRequest> requests;
+    const TomlValue* initial = document.find("initial");
+    for (const Entry& entry : initial != nullptr ? initial->entries : std::vector<Entry>{}) {
+        for (const UsedColumn& column : file.columns.used) {
+            const bool is_named = entry.value.kind == TomlValue::Kind::text && column.is_sensor &&
+                                  is_channel_of(column.name, entry.value.text);
+            if (is_named && std::ranges::find(found, column.name, &StartReading::sensor) == found.end()) {
+                found.push_back({.sensor = column.name, .reading = {}});
+                requests.push_back({.column = column.column,
+                                    .name = column.name,
+                                    .spec = quantity_specs::temperature,
+                                    .purpose = Purpose::measured});
+            }
+        }
+    }
+    InputErrors again = errors;  // the columns are read once more as those of sensors, and what is wrong is said then
+    std::vector<std::vector<double>> read = file.file.read(requests, again);
+    const Recording recording = read.empty() ? Recording{} : recording_of_inputs(inputs);
+    for (std::size_t i = 0; i < read.size() && !file.time.empty(); ++i) {
+        if (!run.keys->keeps_suspicious()) {
+            remove_dead(file.time, read[i], quantity_specs::temperature.unit,
+                        [&](double from, double to) { return is_heated_at_once(recording, from, to); });
+        }
+        found[i].reading = known_samples(file.time, read[i]);
+    }
+    return found;
+}
+
+}  // namespace tiretherm::input

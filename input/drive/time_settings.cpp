@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads [time]: start, end or steady state, step or tolerance, output intervals, time-integration method and linear
+// solver.
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "input/drive/run_span.hpp"
+#include "input/text/quantity_specs.hpp"
+#include "solver/linear/petsc_factor.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+constexpr double many_steps = 1e7;
+
+/// A log goes on beyond the run, which somebody who included the run's end from another file does not see.
+void warn_of_cut_log(const TomlTable& time, const ProblemBuilder& builder) {
+    const solver::Settings& settings = builder.problem.settings;
+    if (!builder.logged_from || !builder.logged_to || settings.steady || (builder.run && builder.run->last)) {
+        return;
+    }
+    const double length = *builder.logged_to - *builder.logged_from;
+    const double before = settings.start - *builder.logged_from;
+    const double after = *builder.logged_to - settings.end;
+    const auto warn = [&](std::string_view key, double cut, std::string_view which) {
+        if (time.has(key) && cut > 1e-6 * length) {
+            time.errors().warn(time.place(key),
+                               fmt::format("[time] {} cuts {} of {} off the {} of the log; {} = \"{:.10g} s\" in the "
+                                           "case would use all of it",
+                                           key, in_minutes(std::min(cut, length)), in_minutes(length), which, key,
+                                           key == "start" ? *builder.logged_from : *builder.logged_to));
+        }
+    };
+    warn("start", before, "beginning");
+    warn("end", after, "end");
+}
+
+}  // namespace
+
+void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
+    solver::Settings& into = builder.problem.settings;
+    // A measured run lasts as long as its file, unless its own table says otherwise.
+    const bool of_file = builder.run && builder.run->last;
+    const bool own_start = of_file && builder.run->says("time", "start");
+    const bool own_end = of_file && builder.run->says("time", "end");
+    const bool implied = builder.logged_to || (builder.run && builder.run->has_file);
+    TomlTable time = root.subtable("time", implied ? Need::optional : Need::required);
+    into.steady = time.flag("steady").value_or(false);
+    into.start = time.quantity("start").value_or(builder.logged_from.value_or(0.0));
+    const auto end = time.quantity("end", implied || into.steady ? Need::optional : Need::required);
+    into.end = end.value_or(builder.logged_to.value_or(into.start));
+    if (of_file) {
+        into.start = own_start ? into.start : start_of_run(builder, into.start, end);
+        into.end = own_end ? into.end : *builder.run->last;
+    }
+    if (own_start && builder.run->lead > 0.0) {
+        time.add_error("start", "start and repeat_first_lap both say where the run begins", "keep one of them");
+    }
+    builder.problem.input_signals.start_at(into.start);
+    into.fixed_step = time.quantity("step");
+    into.tolerance = time.quantity("tolerance").value_or(into.tolerance);
+    into.output_interval = time.quantity("output").value_or(into.output_interval);
+    into.field_interval = time.quantity("fields").value_or(into.field_interval);
+    into.method = static_cast<solver::Method>(time.choice("method").value_or(0));
+    into.linear_solver = static_cast<solver::LinearSolver>(time.choice("linear_solver").value_or(0));
+    if (into.linear_solver == solver::LinearSolver::petsc && !solver::has_petsc()) {
+        time.add_error("linear_solver", "this program was built without PETSc",
+                       "configure it with -DTIRETHERM_PETSC=ON, or leave the linear solver to the program");
+    }
+
+    const double length = into.end - into.start;
+    if ((end || own_start) && !into.steady && !(length > 0.0)) {
+        time.add_error(of_file && !own_end ? "start" : "end",
+                       fmt::format("the run ends at {:.6g} s and starts at {:.6g} s", into.end, into.start),
+                       "let end be later than start");
+        return;
+    }
+    warn_of_cut_log(time, builder);
+    if (into.fixed_step && length / *into.fixed_step > many_steps) {
+        time.errors().warn(time.place("step"),
+                           fmt::format("step divides the run into {:.2g} pieces", length / *into.fixed_step));
+    }
+    if (into.fixed_step && time.has("tolerance")) {
+        time.errors().warn(time.place("tolerance"), "tolerance has no effect: the step is fixed");
+    }
+}
+
+}  // namespace tiretherm::input

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Collects the columns that the model uses, inputs and sensors, into the recording that the data checks look at.
+
+#include <cmath>
+#include <variant>
+
+#include "input/loggers/logger_units.hpp"
+#include "input/runs/run_readings.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+/// A column by its heading, with no values yet.
+RecordedColumn recorded_column(const RunFile& file, const UsedColumn& column, std::string_view si) {
+    const Heading& heading = file.file.heads()[static_cast<std::size_t>(column.column)].heading;
+    RecordedColumn recorded;
+    recorded.name = column.name;
+    recorded.heading = heading.name;
+    recorded.unit = heading.unit.value_or("");
+    recorded.si = si;
+    const auto read = conversion(meant_unit(recorded.unit, si), si, Scale::absolute);
+    if (const auto* found = std::get_if<Conversion>(&read)) {
+        recorded.conversion = *found;
+    }
+    return recorded;
+}
+
+}  // namespace
+
+Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const MeasuredRun& run) {
+    Recording recording;
+    recording.time = run.time;
+    if (file.columns.time >= 0) {
+        recording.time_unit = file.file.heads()[static_cast<std::size_t>(file.columns.time)].heading.unit.value_or("");
+    }
+    for (const UsedColumn& column : file.columns.used) {
+        if (column.input != nullptr) {
+            RecordedColumn recorded = recorded_column(file, column, column.input->unit);
+            recorded.is_input = true;
+            for (const MeasuredInput& input : builder.run->inputs) {
+                if (input.signal == column.input) {
+                    recorded.time = input.time == recording.time ? recording.time : SampleTimes(input.time);
+                    recorded.value = input.value;
+                }
+            }
+            recording.columns.push_back(std::move(recorded));
+            continue;
+        }
+        for (std::size_t s = 0; s < run.series.size(); ++s) {
+            const MeasuredSeries& series = run.series[s];
+            const solver::Channel& channel = builder.problem.channels[series.channel];
+            if (channel.name != column.name) {
+                continue;
+            }
+            RecordedColumn recorded = recorded_column(file, column, solver::unit_of(channel.quantity));
+            recorded.series = s;
+            std::vector<double> time;
+            for (std::size_t i = 0; i < run.time.size(); ++i) {
+                if (!std::isnan(series.value[i])) {
+                    time.push_back(run.time[i]);
+                    recorded.value.push_back(series.value[i]);
+                }
+            }
+            recorded.time = time.size() == recording.time.size() ? recording.time : SampleTimes(std::move(time));
+            recording.columns.push_back(std::move(recorded));
+        }
+    }
+    return recording;
+}
+
+}  // namespace tiretherm::input
