@@ -149,10 +149,8 @@ void read_cameras(TomlTable& root, ProblemBuilder& builder) {
         camera.columns = read_stretch(table, "columns");
         camera.bin = table.count("bin").value_or(1);
         camera.standard_deviation = table.quantity("standard_deviation", quantity_specs::tolerance);
-        const physics::CameraPose pose{.x = table.quantity("x").value_or(0.0),
-                                       .y = table.quantity("y").value_or(0.0),
-                                       .rotation = table.quantity("rotation").value_or(0.0),
-                                       .blur = table.quantity("blur").value_or(0.0)};
+        physics::CameraPose pose;
+        table.read_into(pose);
         if (camera.patch >= 0) {
             add_channels(camera, builder);
             physics::ActiveEffect active = behind(camera, physics::camera_pose(), builder.problem.mesh);

@@ -49,7 +49,7 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
     const bool own_end = of_file && builder.run->says("time", "end");
     const bool implied = builder.logged_to || (builder.run && builder.run->has_file);
     TomlTable time = root.subtable("time", implied ? Need::optional : Need::required);
-    into.steady = time.flag("steady").value_or(false);
+    time.read_into(into);
     into.start = time.quantity("start").value_or(builder.logged_from.value_or(0.0));
     const auto end = time.quantity("end", implied || into.steady ? Need::optional : Need::required);
     into.end = end.value_or(builder.logged_to.value_or(into.start));
@@ -61,12 +61,6 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
         time.add_error("start", "start and repeat_first_lap both say where the run begins", "keep one of them");
     }
     builder.problem.input_signals.start_at(into.start);
-    into.fixed_step = time.quantity("step");
-    into.tolerance = time.quantity("tolerance").value_or(into.tolerance);
-    into.output_interval = time.quantity("output").value_or(into.output_interval);
-    into.field_interval = time.quantity("fields").value_or(into.field_interval);
-    into.method = static_cast<solver::Method>(time.choice("method").value_or(0));
-    into.linear_solver = static_cast<solver::LinearSolver>(time.choice("linear_solver").value_or(0));
     if (into.linear_solver == solver::LinearSolver::petsc && !solver::has_petsc()) {
         time.add_error("linear_solver", "this program was built without PETSc",
                        "configure it with -DTIRETHERM_PETSC=ON, or leave the linear solver to the program");

@@ -30,9 +30,8 @@ std::vector<mesh::Segment> read_segments(TomlTable& mesh, std::string_view key, 
         key,
         [&](TomlTable& table) {
             mesh::Segment segment;
-            segment.to = table.quantity("to", Need::required).value_or(std::nan(""));
-            segment.cells = table.count("cells", Need::required).value_or(1);
-            segment.ratio = table.quantity("ratio").value_or(1.0);
+            segment.to = std::nan("");
+            table.read_into(segment);
             check_growth(table, segment.cells, segment.ratio);
             segments.push_back(segment);
             places.push_back(table.place("to"));
@@ -70,10 +69,8 @@ std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
         "layer",
         [&](TomlTable& table) {
             mesh::Layer layer;
-            layer.name = table.name("name", Need::required).value_or("");
-            layer.thickness = table.quantity("thickness").value_or(0.001);
-            layer.cells = table.count("cells", Need::required).value_or(1);
-            layer.ratio = table.quantity("ratio").value_or(1.0);
+            layer.thickness = 0.001;  // where the key is wrong: what follows from it stays sound
+            table.read_into(layer);
             check_growth(table, layer.cells, layer.ratio);
             if (zones != nullptr) {
                 zones->push_back(table.texts("zones"));
@@ -99,8 +96,7 @@ std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
 
 bool read_block(TomlTable& mesh, ProblemBuilder& builder) {
     mesh::Block block;
-    block.quarter = mesh.flag("quarter").value_or(true);
-    block.side_patches = mesh.flag("side_patches").value_or(false);
+    mesh.read_into(block);
     block.x = read_segments(mesh, "x", !block.quarter);
     block.y = read_segments(mesh, "y", !block.quarter);
     block.stack = read_stack(mesh, builder);
@@ -115,7 +111,7 @@ bool read_block(TomlTable& mesh, ProblemBuilder& builder) {
 
 bool read_axisymmetric(TomlTable& mesh, ProblemBuilder& builder) {
     mesh::Axisymmetric disc;
-    disc.side_patches = mesh.flag("side_patches").value_or(false);
+    mesh.read_into(disc);
     disc.radius = read_segments(mesh, "radius", false);
     disc.stack = read_stack(mesh, builder);
     if (disc.radius.empty() || disc.stack.empty() ||

@@ -21,36 +21,12 @@ namespace {
 
 using physics::Tire;
 
-/// The dimensions and the numbers of the laws of the load.
-struct TireNumber {
-    std::string_view key;
-    double Tire::*member;
-};
-constexpr std::array numbers_of_tire{
-    TireNumber{"width", &Tire::width},
-    TireNumber{"section_height", &Tire::section_height},
-    TireNumber{"unloaded_radius", &Tire::unloaded_radius},
-    TireNumber{"tread_thickness", &Tire::tread_thickness},
-    TireNumber{"sidewall_thickness", &Tire::sidewall_thickness},
-    TireNumber{"density", &Tire::density},
-    TireNumber{"minimum_load", &Tire::minimum_load},
-    TireNumber{"contact_length_limit", &Tire::contact_length_limit},
-    TireNumber{"contact_length_slope", &Tire::contact_length_slope},
-    TireNumber{"contact_area_at_zero", &Tire::contact_area_at_zero},
-    TireNumber{"contact_area_slope", &Tire::contact_area_slope},
-    TireNumber{"loaded_radius_at_zero", &Tire::loaded_radius_at_zero},
-    TireNumber{"loaded_radius_slope", &Tire::loaded_radius_slope},
-    TireNumber{"rolling_radius_factor", &Tire::rolling_radius_factor},
-    TireNumber{"pressure_exponent_of_loss", &Tire::pressure_exponent_of_loss},
-    TireNumber{"rolling_radius_exponent", &Tire::rolling_radius_exponent},
-};
-
 /// A law of the load: its table, and the numbers that describe it otherwise.
 struct Law {
     std::string_view table;
     std::optional<physics::Curve> Tire::*member;
     QuantitySpec value;
-    std::string_view number;  ///< one of the keys above
+    std::string_view number;  ///< a key of [tire]
 };
 
 constexpr QuantitySpec radius{.unit = "m", .low = 0.01, .high = 5.0, .usual_low = 0.1, .usual_high = 2.0};
@@ -82,16 +58,8 @@ void read_size(TomlTable& tire, Tire& into) {
 void read_modulus(TomlTable& tire, solver::Handling& into) {
     TomlTable table = tire.subtable("modulus");
     physics::EquivalentModulus& m = into.modulus;
-    const auto take = [&](std::string_view key, double& member) { member = table.quantity(key).value_or(member); };
-    take("belt_maximum", m.E_max);
-    take("belt_fall", m.dE);
-    take("belt_slope", m.slope);
-    take("belt_threshold", m.l_t);
-    take("tread_middle", m.E_mid);
-    take("tread_fall", m.dE_T);
-    take("transition_temperature", m.T_g);
-    take("transition_width", m.dT);
-    take("lambda_CP", into.lambda_CP);
+    table.read_into(m);
+    table.read_into(into);
     if (m.dE >= m.E_max) {
         table.add_error("belt_fall", "the belt's modulus would fall to nothing", "let it be smaller than belt_maximum");
     }
@@ -142,9 +110,7 @@ void read_tire(TomlTable& root, ProblemBuilder& builder) {
     const std::size_t before = tire.errors().count();
     read_size(tire, into);
     const double nominal_radius = into.unloaded_radius;
-    for (const TireNumber& number : numbers_of_tire) {
-        into.*number.member = tire.quantity(number.key).value_or(into.*number.member);
-    }
+    tire.read_into(into);
     into.reference_pressure = tire.quantity("reference_pressure").value_or(physics::TireOutline{}.inflation_pressure);
     if (!tire.has("loaded_radius_at_zero")) {
         into.loaded_radius_at_zero = into.unloaded_radius;

@@ -2,6 +2,7 @@
 // Keys of [mesh] and its layers: form, unit and range, need and meaning, a line each.
 #include "input/schema/all_tables.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "mesh/builders.hpp"
 #include "physics/contact/travelling.hpp"
 
 namespace tiretherm::input::schema {
@@ -37,23 +38,23 @@ std::vector<TableKeys> mesh_tables() {
             tables("x", "Cells along x, as segments.").required().kinds("block"),
             tables("y", "Cells along y, as segments.").required().kinds("block"),
             tables("radius", "Cells along the radius, as segments.").required().kinds("axisymmetric"),
-            flag("quarter", "Symmetric about x = 0 and y = 0: from there to X and Y; otherwise from -X to X. Default: true.").kinds("block"),
-            flag("side_patches", "Whether the sides are patches that effects may act on. Default: false.").kinds("axisymmetric block"),
+            flag("quarter", "Symmetric about x = 0 and y = 0: from there to X and Y; otherwise from -X to X. Default: true.").kinds("block").into<&mesh::Block::quarter>(),
+            flag("side_patches", "Whether the sides are patches that effects may act on. Default: false.").kinds("axisymmetric block").into<&mesh::Block::side_patches>().into<&mesh::Axisymmetric::side_patches>(),
         }},
         {"mesh.layer", TableForm::list,
          "One layer, from the outside in.", {
-            name("name", "Name of the layer, for sensors, effects and initial temperatures.").required(),
-            quantity("thickness", thickness, "Thickness of the layer.").required(),
-            count("cells", 1, 1000000, "Number of cells through the layer.").required(),
-            quantity("ratio", {.unit = "1", .low = 1e-5, .high = 1e5}, "Thickness of the innermost cell over the outermost. Default: 1."),
+            name("name", "Name of the layer, for sensors, effects and initial temperatures.").required().into<&mesh::Layer::name>(),
+            quantity("thickness", thickness, "Thickness of the layer.").required().into<&mesh::Layer::thickness>(),
+            count("cells", 1, 1000000, "Number of cells through the layer.").required().into<&mesh::Layer::cells>(),
+            quantity("ratio", {.unit = "1", .low = 1e-5, .high = 1e5}, "Thickness of the innermost cell over the outermost. Default: 1.").into<&mesh::Layer::ratio>(),
             text("material", "Name of its `[[material]]`.").required(),
             texts("zones", "For a section: some of `crown`, `shoulders`, `sidewalls`. Default: all."),
         }},
         {"mesh.x", TableForm::list,
          "A segment of the cells along an axis: `x = [{ to = \"30 mm\", cells = 8 }]`; `y` and `radius` are the same.", {
-            quantity("to", coordinate, "Where the segment ends; ascending.").required(),
-            count("cells", 1, 1000000, "Number of cells.").required(),
-            quantity("ratio", {.unit = "1", .low = 1e-5, .high = 1e5}, "Width of the last cell over the first. Default: 1."),
+            quantity("to", coordinate, "Where the segment ends; ascending.").required().into<&mesh::Segment::to>(),
+            count("cells", 1, 1000000, "Number of cells.").required().into<&mesh::Segment::cells>(),
+            quantity("ratio", {.unit = "1", .low = 1e-5, .high = 1e5}, "Width of the last cell over the first. Default: 1.").into<&mesh::Segment::ratio>(),
         }},
     };
 }

@@ -2,6 +2,7 @@
 // Keys of [[sensor]], [[camera]], [[instrument]] and [[measured]]: form, unit and range, need and meaning, a line each.
 #include "input/schema/all_tables.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "physics/camera.hpp"
 
 namespace tiretherm::input::schema {
 
@@ -40,10 +41,10 @@ std::vector<TableKeys> sensor_tables() {
             name("name", "Name of the camera.").required(),
             choice("surface", {"top", "bottom"}, "The patch that it looks at. Default: top."),
             texts("pixel_size", "On the specimen; two for different sizes along a row and along a column. Default: that of the file."),
-            quantity("x", {.unit = "m", .low = -0.1, .high = 0.1}, "Where the image's centre lies; columns run along x. Default: 0."),
-            quantity("y", {.unit = "m", .low = -0.1, .high = 0.1}, "Where the image's centre lies; rows run along y. Default: 0."),
-            quantity("rotation", {.unit = "rad", .low = -3.2, .high = 3.2}, "Of the image, from x towards y. Default: 0."),
-            quantity("blur", {.unit = "m", .low = 0.0, .high = 0.1}, "Full width at half maximum of the optics' Gaussian blur. Default: 0, a pixel sees its square alone."),
+            quantity("x", {.unit = "m", .low = -0.1, .high = 0.1}, "Where the image's centre lies; columns run along x. Default: 0.").into<&physics::CameraPose::x>(),
+            quantity("y", {.unit = "m", .low = -0.1, .high = 0.1}, "Where the image's centre lies; rows run along y. Default: 0.").into<&physics::CameraPose::y>(),
+            quantity("rotation", {.unit = "rad", .low = -3.2, .high = 3.2}, "Of the image, from x towards y. Default: 0.").into<&physics::CameraPose::rotation>(),
+            quantity("blur", {.unit = "m", .low = 0.0, .high = 0.1}, "Full width at half maximum of the optics' Gaussian blur. Default: 0, a pixel sees its square alone.").into<&physics::CameraPose::blur>(),
             quantity("emissivity", {.unit = "1", .low = 0.0, .high = 1.0, .above = true, .usual_low = 0.5}, "Of the surface. Default: 1."),
             quantity("reflected_temperature", temperature, "What a surface of lower emissivity mirrors. Default: the air's."),
             quantity("standard_deviation", tolerance, "Of one detector (NETD). Default: unknown."),

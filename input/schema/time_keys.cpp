@@ -2,6 +2,7 @@
 // Keys of [initial], [limits] and [time]: form, unit and range, need and meaning, a line each.
 #include "input/schema/all_tables.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "solver/problem.hpp"
 
 namespace tiretherm::input::schema {
 
@@ -26,13 +27,13 @@ std::vector<TableKeys> time_tables() {
          "Duration, accuracy and output. Optional where the logs give the duration.", {
             quantity("start", moment, "Default: first time of the logs, else 0 s."),
             quantity("end", moment, "Default: last time of the logs.").sometimes(),
-            flag("steady", "The steady state of the inputs at `end` in place of a run. Default: false."),
-            quantity("step", duration, "Fixed time step. Default: none, the error decides."),
-            quantity("tolerance", tolerance, "Largest local error of a step; the error at the end of a run may be a few times as large. `identify` and `diagnose` step with 0.001 K at most, but for camera frames. Default: 0.01 K."),
-            quantity("output", interval, "Interval of the rows of channels. Default: 0 s, every step."),
-            quantity("fields", interval, "Interval of the stored fields. Default: 0 s, the first and the last."),
-            choice("method", {"tr_bdf2", "backward_euler"}, "Time integration. Default: tr_bdf2."),
-            choice("linear_solver", {"automatic", "cholesky", "conjugate_gradient", "petsc"}, "`petsc` is for `run` alone. Default: automatic, by the predicted fill."),
+            flag("steady", "The steady state of the inputs at `end` in place of a run. Default: false.").into<&solver::Settings::steady>(),
+            quantity("step", duration, "Fixed time step. Default: none, the error decides.").into<&solver::Settings::fixed_step>(),
+            quantity("tolerance", tolerance, "Largest local error of a step; the error at the end of a run may be a few times as large. `identify` and `diagnose` step with 0.001 K at most, but for camera frames. Default: 0.01 K.").into<&solver::Settings::tolerance>(),
+            quantity("output", interval, "Interval of the rows of channels. Default: 0 s, every step.").into<&solver::Settings::output_interval>(),
+            quantity("fields", interval, "Interval of the stored fields. Default: 0 s, the first and the last.").into<&solver::Settings::field_interval>(),
+            choice("method", {"tr_bdf2", "backward_euler"}, "Time integration. Default: tr_bdf2.").into<&solver::Settings::method>(),
+            choice("linear_solver", {"automatic", "cholesky", "conjugate_gradient", "petsc"}, "`petsc` is for `run` alone. Default: automatic, by the predicted fill.").into<&solver::Settings::linear_solver>(),
         }},
     };
 }

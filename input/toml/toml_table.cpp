@@ -27,6 +27,11 @@ TomlTable::~TomlTable() {
     if (unknown_keys_allowed_) {
         return;
     }
+    if (keys_ != nullptr) {  // the order in which a reader asks says nothing to the user
+        std::ranges::stable_sort(known_, {}, [&](const std::string& name) {
+            return std::ranges::find(keys_->keys, name, &Key::name) - keys_->keys.begin();
+        });
+    }
     for (const Entry& entry : table_->entries) {
         if (std::find(known_.begin(), known_.end(), entry.key) == known_.end()) {
             errors_->add(entry.place, fmt::format("\"{}\" is not a key of {}", entry.key, name_),

@@ -55,6 +55,11 @@ public:
                                       Need need = Need::described);
     std::optional<bool> flag(std::string_view key);
     std::optional<int> count(std::string_view key, Need need = Need::described);
+    /// Reads every key whose description names a member of this struct. What is absent or wrong leaves its member as it is.
+    template <class Struct>
+    void read_into(Struct& object) {
+        read_members(&tag_of<Struct>, &object);
+    }
     /// A list of texts, or one text.
     std::vector<LocatedString> texts(std::string_view key, Need need = Need::described);
 
@@ -86,6 +91,8 @@ private:
     /// @param example what to write, which begins with the key or is the heading of its table
     const TomlValue* take(std::string_view key, Need need, std::initializer_list<TomlValue::Kind> kinds,
                           std::string_view expected, std::string_view example);
+    void read_members(const char* owner, void* object);
+    [[nodiscard]] std::optional<KeyValue> value_of(const Key& key);
     void report_missing(std::string_view key, std::string_view example) const;
     [[nodiscard]] const Key* find(std::string_view key) const;  ///< its description; null when absent
     /// The same. @errors std::logic_error where there is none: then the reader is wrong

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -131,6 +132,41 @@ std::vector<LocatedString> TomlTable::texts(std::string_view key, Need need) {
         }
     }
     return words;
+}
+
+std::optional<KeyValue> TomlTable::value_of(const Key& key) {
+    const auto as_value = [](const auto& found) { return found ? std::optional<KeyValue>(*found) : std::nullopt; };
+    switch (key.form) {
+        case KeyForm::quantity:
+            return as_value(quantity(key.name));
+        case KeyForm::count:
+            return as_value(count(key.name));
+        case KeyForm::flag:
+            return as_value(flag(key.name));
+        case KeyForm::text:
+            return as_value(text(key.name));
+        case KeyForm::name:
+            return as_value(name(key.name));
+        case KeyForm::choice: {
+            const std::optional<std::size_t> index = choice(key.name);
+            return index ? std::optional<KeyValue>(Word{*index, key.words[*index]}) : std::nullopt;
+        }
+        default:
+            throw std::logic_error(fmt::format("{} of {} has no form that a member takes", key.name, name_));
+    }
+}
+
+void TomlTable::read_members(const char* owner, void* object) {
+    for (const Key& key : keys_->keys) {
+        for (const Member& member : key.members) {
+            if (member.owner != owner || find(key.name) != &key) {
+                continue;
+            }
+            if (const std::optional<KeyValue> value = value_of(key)) {
+                member.store(object, *value);
+            }
+        }
+    }
 }
 
 }  // namespace tiretherm::input

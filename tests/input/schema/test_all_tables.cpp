@@ -9,6 +9,9 @@
 #include "input/model/sensor_kinds.hpp"
 #include "input/runs/reader.hpp"
 #include "input/schema/all_tables.hpp"
+#include "input/toml/toml_table.hpp"
+#include "input/toml/toml_text.hpp"
+#include "solver/problem.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::input {
@@ -71,6 +74,29 @@ TEST(AllTables, TitlesOfMessagesFindThem) {
     EXPECT_EQ(key("[identify]", "noise").words, (std::vector<std::string_view>{"automatic", "correlated", "white"}));
     EXPECT_EQ(key("[drive]", "speed").spec.unit, "m s-1");
     EXPECT_EQ(key("[time]", "end").need, Need::sometimes);
+}
+
+// By hand: 2 min are 120 s; what is absent (output) and what is wrong (a negative tolerance, which is the one error) stays
+// as it was. `start` is no member of the settings: its reader decides.
+TEST(AllTables, ValuesGoToTheMembersThatTheirDescriptionsName) {
+    using namespace toml_text;
+    const TomlValue time = table_value({{"steady", boolean_value(true)},
+                                        {"step", text_value("2 min")},
+                                        {"method", text_value("backward_euler")},
+                                        {"tolerance", text_value("-1 K")}});
+    InputErrors errors;
+    solver::Settings settings;
+    settings.tolerance = 0.5;
+    settings.output_interval = 7.0;
+    TomlTable table(time, "[time]", errors);
+    table.read_into(settings);
+    EXPECT_TRUE(settings.steady);
+    EXPECT_EQ(settings.fixed_step, 120.0);
+    EXPECT_EQ(settings.method, solver::Method::backward_euler);
+    EXPECT_EQ(settings.tolerance, 0.5);
+    EXPECT_EQ(settings.output_interval, 7.0);
+    EXPECT_EQ(settings.start, 0.0);
+    EXPECT_EQ(errors.count(), 1U);
 }
 
 // Names that a user chooses are no keys: columns of a file, layers, parameters of an effect.
