@@ -43,6 +43,7 @@ std::vector<std::string> defects(const Problem& problem) {
            "the run must end after it starts");
     expect(problem.settings.tolerance > 0.0, "the tolerance of a step must be positive");
     expect(!problem.settings.fixed_step || *problem.settings.fixed_step > 0.0, "a fixed step must be positive");
+    expect(!problem.settings.largest_step || *problem.settings.largest_step > 0.0, "the largest step must be positive");
     for (const double T : problem.initial) {
         if (!(T > 0.0) || !std::isfinite(T)) {
             found.push_back(fmt::format("an initial temperature is {} K", T));

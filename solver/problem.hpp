@@ -28,10 +28,11 @@ struct Settings {
     double start = 0.0;   ///< s
     double end = 0.0;     ///< s
     Method method = Method::tr_bdf2;
-    std::optional<double> fixed_step;  ///< s; empty: error-controlled
-    double tolerance = 0.01;           ///< K, largest local error of a step
-    double output_interval = 0.0;      ///< s between rows of channels; 0: every step
-    double field_interval = 0.0;       ///< s between stored fields; 0: only first and last
+    std::optional<double> fixed_step;    ///< s; empty: error-controlled
+    std::optional<double> largest_step;  ///< s, where the error controls; empty: none
+    double tolerance = 0.01;             ///< K, largest local error of a step
+    double output_interval = 0.0;        ///< s between rows of channels; 0: every step
+    double field_interval = 0.0;         ///< s between stored fields; 0: only first and last
     LinearSolver linear_solver = LinearSolver::automatic;
 };
 

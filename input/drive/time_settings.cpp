@@ -78,8 +78,10 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
         time.errors().warn(time.place("step"),
                            fmt::format("step divides the run into {:.2g} pieces", length / *into.fixed_step));
     }
-    if (into.fixed_step && time.has("tolerance")) {
-        time.errors().warn(time.place("tolerance"), "tolerance has no effect: the step is fixed");
+    for (const std::string_view key : {"tolerance", "largest_step"}) {
+        if (into.fixed_step && time.has(key)) {
+            time.errors().warn(time.place(key), fmt::format("{} has no effect: the step is fixed", key));
+        }
     }
 }
 

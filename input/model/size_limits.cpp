@@ -92,8 +92,8 @@ CaseSize size_of(const solver::Problem& problem) {
     const solver::Settings& settings = problem.settings;
     CaseSize size{.cells = static_cast<double>(problem.mesh.n_cells), .rows = 1.0, .fields = 1.0};
     if (!settings.steady) {
-        if (settings.fixed_step) {
-            size.steps = pieces(settings, *settings.fixed_step);
+        if (const std::optional<double> longest = settings.fixed_step ? settings.fixed_step : settings.largest_step) {
+            size.steps = pieces(settings, *longest);
         }
         size.rows = settings.output_interval > 0.0 ? pieces(settings, settings.output_interval) + 1.0
                                                    : size.steps.value_or(-1.0) + 1.0;
@@ -153,7 +153,8 @@ std::optional<SizeExcess> excess_of(const solver::Problem& problem, const SizeLi
     const double latest = std::max(std::abs(settings.start), std::abs(settings.end));
     const double apart = std::nextafter(latest, std::numeric_limits<double>::infinity()) - latest;
     for (const auto& [key, interval] :
-         {std::pair("step", settings.fixed_step.value_or(0.0)), std::pair("output", settings.output_interval),
+         {std::pair("step", settings.fixed_step.value_or(0.0)),
+          std::pair("largest_step", settings.largest_step.value_or(0.0)), std::pair("output", settings.output_interval),
           std::pair("fields", settings.field_interval)}) {
         if (interval > 0.0 && interval < 16.0 * apart) {
             return SizeExcess{key,
@@ -167,7 +168,7 @@ std::optional<SizeExcess> excess_of(const solver::Problem& problem, const SizeLi
     const auto raised = [](double value) { return fmt::format("{:.2g}", value * 1.1); };
     if (size.steps && *size.steps > limits.steps) {
         return SizeExcess{
-            "step",
+            settings.fixed_step ? "step" : "largest_step",
             fmt::format("the run would take {} steps, more than {}", in_words(*size.steps), in_words(limits.steps)),
             "take a longer step, or raise the limit: [limits] steps = " + raised(*size.steps)};
     }

@@ -29,6 +29,7 @@ std::vector<TableKeys> time_tables() {
             quantity("end", moment, "Default: last time of the logs.").sometimes(),
             flag("steady", "The steady state of the inputs at `end` in place of a run. Default: false.").into<&solver::Settings::steady>(),
             quantity("step", duration, "Fixed time step. Default: none, the error decides.").into<&solver::Settings::fixed_step>(),
+            quantity("largest_step", duration, "No step is longer, however small its error: rows of every step lie no further apart. Default: none.").into<&solver::Settings::largest_step>(),
             quantity("tolerance", tolerance, "Largest local error of a step; the error at the end of a run may be a few times as large. `identify` and `diagnose` step with 0.001 K at most, but for camera frames. Default: 0.01 K.").into<&solver::Settings::tolerance>(),
             quantity("output", interval, "Interval of the rows of channels. Default: 0 s, every step.").into<&solver::Settings::output_interval>(),
             quantity("fields", interval, "Interval of the stored fields. Default: 0 s, the first and the last.").into<&solver::Settings::field_interval>(),

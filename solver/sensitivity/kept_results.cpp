@@ -148,6 +148,7 @@ void add(Digest& digest, const Settings& settings) {
     digest.add(settings.end);
     digest.add(settings.method);
     digest.add(settings.fixed_step.value_or(-1.0));
+    digest.add(settings.largest_step.value_or(-1.0));
     digest.add(settings.tolerance);
     digest.add(settings.output_interval);
     digest.add(settings.field_interval);

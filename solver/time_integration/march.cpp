@@ -137,6 +137,7 @@ private:
                 wanted_ = wanted_ > 0.0 ? std::min(wanted_, first) : first;
             }
             fresh_ = false;
+            wanted_ = settings.fixed_step ? wanted_ : std::min(wanted_, settings.largest_step.value_or(wanted_));
             // Of a short step after a long time the smallest one is a large part: a refused step would be tried for ever.
             const double slack = std::min(smallest, 0.01 * wanted_);
             double t1 = settings.fixed_step ? t + wanted_ : on_sample(t, t + wanted_, slack);

@@ -422,4 +422,24 @@ TEST(March, APlateauIsHottestWhenItIsReached) {
     EXPECT_LT(report.hottest.time, 8000.0);
 }
 
+// Near the plateau of the test above the error would allow steps of minutes; where none may be longer than 7 s, a row of each
+// step in 1000 s makes 143 at least, and temperatures are those of the free steps within ten of their errors.
+TEST(March, NoStepIsLongerThanTheLargest) {
+    Problem problem = heated_strip(4);
+    problem.settings.end = 1000.0;
+    Rows free;
+    ASSERT_TRUE(collect(problem, free).status.ok());
+    problem.settings.largest_step = 7.0;
+    Rows held;
+    ASSERT_TRUE(collect(problem, held).status.ok());
+    double longest = 0.0;
+    for (std::size_t i = 1; i < held.time.size(); ++i) {
+        longest = std::max(longest, held.time[i] - held.time[i - 1]);
+    }
+    EXPECT_LT(free.time.size(), 100U);
+    EXPECT_GE(held.time.size(), 144U);
+    EXPECT_LE(longest, 7.0 + 1e-9);
+    EXPECT_NEAR(held.channels.back()[0], free.channels.back()[0], 10.0 * problem.settings.tolerance);
+}
+
 }  // namespace tiretherm::solver
