@@ -39,11 +39,14 @@ struct CauseNumber {
     double high = 0.0;
 };
 
-/// An effect of the catalogue as a possible reason for what the model gets wrong.
+enum class CauseKind : std::uint8_t { effect, mesh };
+
+/// A possible reason for what the model gets wrong: an effect of the catalogue, or a mesh that is too coarse.
 struct Cause {
-    std::string id;
+    CauseKind kind = CauseKind::effect;
+    std::string id;                      ///< of the effect; "mesh"
     std::string channel{};               ///< of a sensor's effect
-    std::string place{};                 ///< layer or zone, where it acts on one of several
+    std::string place{};                 ///< layer or zone, where it acts on one of several; which meshes do better
     std::vector<CauseNumber> numbers{};  ///< that were fitted, and those it was tried at
     /// What the case says of the number, where the effect is on and its number is wrong.
     std::optional<double> instead_of{};

@@ -141,13 +141,13 @@ void describe_causes(const DiagnosisState& found, Diagnosis& into) {
     }
     if (!found.mesh.empty() && !into.hypotheses.empty()) {
         into.hypotheses.front().insert(into.hypotheses.front().begin(), into.causes.size());
-        into.causes.push_back({.id = "mesh", .place = found.mesh, .in_set = true, .rank = 1});
+        into.causes.push_back({.kind = CauseKind::mesh, .id = "mesh", .place = found.mesh, .in_set = true, .rank = 1});
         described.push_back(static_cast<std::size_t>(-1));
     }
     for (const std::string& mesh : found.other_meshes) {
         if (mesh != found.mesh && !into.hypotheses.empty()) {
             into.hypotheses.push_back({into.causes.size()});
-            into.causes.push_back({.id = "mesh", .place = mesh, .in_set = true});
+            into.causes.push_back({.kind = CauseKind::mesh, .id = "mesh", .place = mesh, .in_set = true});
             described.push_back(static_cast<std::size_t>(-1));
             into.causes.back().rank = static_cast<int>(described.size());
         }

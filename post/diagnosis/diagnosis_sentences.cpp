@@ -27,7 +27,7 @@ std::string digits(const CauseNumber& number, double value) {
 bool has_interval(const CauseNumber& number) { return number.high > number.low; }
 
 std::string full(const Cause& cause) {
-    if (cause.id == "mesh") {
+    if (cause.kind == CauseKind::mesh) {
         return name_of(cause);
     }
     const std::string from = cause.instead_of ? fmt::format("the case's {:.4g}", *cause.instead_of) : "no effect";
@@ -160,7 +160,7 @@ std::string stop_text(const Diagnosis& diagnosis) {
 std::string seconds_text(double seconds) { return to_its_digits(seconds, 0.05 * seconds) + " s"; }
 
 std::string name_of(const Cause& cause) {
-    if (cause.id == "mesh") {
+    if (cause.kind == CauseKind::mesh) {
         return fmt::format("a mesh that is too coarse ({} do better)", cause.place);
     }
     const std::string& where = cause.channel.empty() ? cause.place : cause.channel;
