@@ -12,7 +12,7 @@
 
 #include "app/output.hpp"
 #include "diagnosis/detect/score_test_data.hpp"
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "post/report/prediction_journal.hpp"
 #include "post/report/progress.hpp"
 #include "post/report/report.hpp"

@@ -7,7 +7,7 @@
 
 #include "app/help/help_text.hpp"
 #include "app/help/topics.hpp"
-#include "input/model/sensor_kinds.hpp"
+#include "input/model/sensors.hpp"
 #include "input/schema/all_tables.hpp"
 #include "input/text/characters.hpp"
 #include "input/text/unit_text.hpp"

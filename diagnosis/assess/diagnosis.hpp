@@ -15,6 +15,7 @@
 #include "diagnosis/noise/noise_estimate.hpp"
 #include "diagnosis/observations/observations.hpp"
 #include "input/measurements/experiment.hpp"
+#include "input/parameters/mesh_change.hpp"
 #include "solver/status.hpp"
 #include "solver/user_effect.hpp"
 

@@ -10,6 +10,7 @@
 #include "diagnosis/assess/diagnosis.hpp"
 #include "diagnosis/assess/fitted_hypothesis.hpp"
 #include "diagnosis/assess/prediction_search.hpp"
+#include "input/parameters/mesh_change.hpp"
 
 namespace tiretherm::diagnosis {
 

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "input/model/problem_builder.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "physics/camera.hpp"
 
@@ -79,17 +78,16 @@ int read_patch(TomlTable& camera, const mesh::Mesh& mesh) {
 }
 
 /// The nodes of the surface as channels.
-void add_channels(Camera& camera, ProblemBuilder& builder) {
-    const physics::SeenSurface surface(builder.problem.mesh, camera.patch);
-    camera.channels = {
-        .camera = camera.name, .first = builder.problem.channels.size(), .count = surface.nodes().size()};
-    builder.problem.cameras.push_back(camera.channels);
+void add_channels(Camera& camera, solver::Problem& problem) {
+    const physics::SeenSurface surface(problem.mesh, camera.patch);
+    camera.channels = {.camera = camera.name, .first = problem.channels.size(), .count = surface.nodes().size()};
+    problem.cameras.push_back(camera.channels);
     for (std::size_t i = 0; i < surface.nodes().size(); ++i) {
         solver::Channel channel;
         channel.name = fmt::format("{} {}", camera.name, i);
         channel.meaning = fmt::format("what {} sees at a node of the surface", camera.name);
         channel.where = {.nodes = {surface.nodes()[i]}, .weights = {1.0}};
-        builder.problem.channels.push_back(std::move(channel));
+        problem.channels.push_back(std::move(channel));
     }
 }
 
@@ -103,47 +101,47 @@ physics::ActiveEffect behind(const Camera& camera, const physics::Effect& effect
 }
 
 /// The grey surface, where the case says that it is one.
-void add_emissivity(TomlTable& table, const Camera& camera, ProblemBuilder& builder) {
+void add_emissivity(TomlTable& table, const Camera& camera, const GivenSignals* given, solver::Problem& problem) {
     const auto emissivity = table.quantity("emissivity");
     const auto mirrored = table.quantity("reflected_temperature");
     if (mirrored && !table.has("emissivity")) {
         table.add_error("reflected_temperature", "a black surface, of emissivity 1, mirrors nothing",
                         "add emissivity = 0.95");
     }
-    const bool knows_inputs = !builder.run || !builder.run->unreadable;
-    if (emissivity && !mirrored && knows_inputs && !builder.given.contains("air_temperature")) {
+    if (emissivity && !mirrored && given != nullptr && !given->contains("air_temperature")) {
         table.add_error("emissivity", "the surface mirrors the air, whose temperature [drive] lacks",
                         "add reflected_temperature = \"23 degC\", or air_temperature to [drive]");
     }
     if (!emissivity || camera.patch < 0) {
         return;
     }
-    physics::ActiveEffect grey = behind(camera, *physics::find_effect("camera_emissivity"), builder.problem.mesh);
+    physics::ActiveEffect grey = behind(camera, *physics::find_effect("camera_emissivity"), problem.mesh);
     grey.parameters[0] = *emissivity;
     if (mirrored) {
         grey.choices[0] = 1;
         grey.parameters[1] = *mirrored;
     }
-    builder.problem.effects.push_back(std::move(grey));
+    problem.effects.push_back(std::move(grey));
 }
 
-bool is_taken(const std::string& name, const ProblemBuilder& builder) {
+bool is_taken(const std::string& name, const solver::Problem& problem, const std::vector<Camera>& cameras) {
     const auto same = [&](const auto& other) { return other.name == name; };
-    return std::ranges::any_of(builder.problem.channels, same) || std::ranges::any_of(builder.cameras, same);
+    return std::ranges::any_of(problem.channels, same) || std::ranges::any_of(cameras, same);
 }
 
 }  // namespace
 
-void read_cameras(TomlTable& root, ProblemBuilder& builder) {
+std::vector<Camera> read_cameras(TomlTable& root, const GivenSignals* given, solver::Problem& problem) {
+    std::vector<Camera> all;
     root.each("camera", [&](TomlTable& table) {
         Camera camera;
         camera.name = table.name("name", Need::required).value_or("");
         camera.place = table.place();
-        if (!camera.name.empty() && is_taken(camera.name, builder)) {
+        if (!camera.name.empty() && is_taken(camera.name, problem, all)) {
             table.add_error("name", fmt::format("a second sensor is called \"{}\"", camera.name), "rename one");
         }
         table.declare_keys({"surface"});
-        camera.patch = builder.has_mesh ? read_patch(table, builder.problem.mesh) : -1;
+        camera.patch = problem.mesh.n_nodes > 0 ? read_patch(table, problem.mesh) : -1;
         camera.pixel_size = read_size(table);
         camera.rows = read_stretch(table, "rows");
         camera.columns = read_stretch(table, "columns");
@@ -152,15 +150,16 @@ void read_cameras(TomlTable& root, ProblemBuilder& builder) {
         physics::CameraPose pose;
         table.read_into(pose);
         if (camera.patch >= 0) {
-            add_channels(camera, builder);
-            physics::ActiveEffect active = behind(camera, physics::camera_pose(), builder.problem.mesh);
+            add_channels(camera, problem);
+            physics::ActiveEffect active = behind(camera, physics::camera_pose(), problem.mesh);
             active.parameters = {pose.x, pose.y, pose.rotation, pose.blur};
-            camera.pose = builder.problem.effects.size();
-            builder.problem.effects.push_back(std::move(active));
+            camera.pose = problem.effects.size();
+            problem.effects.push_back(std::move(active));
         }
-        add_emissivity(table, camera, builder);
-        builder.cameras.push_back(std::move(camera));
+        add_emissivity(table, camera, given, problem);
+        all.push_back(std::move(camera));
     });
+    return all;
 }
 
 void take_away_cameras(solver::Problem& problem) {

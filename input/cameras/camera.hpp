@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "input/text/input_error.hpp"
+#include "input/measurements/driven_signals.hpp"
+#include "input/toml/toml_table.hpp"
 #include "solver/problem.hpp"
 
 /// Cameras of a case:
@@ -34,6 +35,10 @@ struct Camera {
     std::size_t pose = 0;                        ///< index into Problem::effects
     solver::CameraChannels channels{};
 };
+
+/// The list [[camera]], behind all sensors.
+/// @param given null where what the run's file gives is unknown  @param problem gets the cameras' channels and effects
+[[nodiscard]] std::vector<Camera> read_cameras(TomlTable& root, const GivenSignals* given, solver::Problem& problem);
 
 /// What a problem is without its cameras: a run that nothing is measured in does not need their channels.
 void take_away_cameras(solver::Problem& problem);

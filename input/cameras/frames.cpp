@@ -109,30 +109,29 @@ void read_values(const FrameFile& file, const std::vector<std::size_t>& frames, 
     }
 }
 
-const Camera* find_camera(const FramesOfRun& named, const ProblemBuilder& builder, InputErrors& errors) {
-    if (named.camera.text.empty() && builder.cameras.size() == 1) {
-        return &builder.cameras.front();
+const Camera* find_camera(const FramesOfRun& named, const std::vector<Camera>& cameras, InputErrors& errors) {
+    if (named.camera.text.empty() && cameras.size() == 1) {
+        return &cameras.front();
     }
-    const auto found = std::ranges::find(builder.cameras, named.camera.text, &Camera::name);
-    if (found != builder.cameras.end()) {
+    const auto found = std::ranges::find(cameras, named.camera.text, &Camera::name);
+    if (found != cameras.end()) {
         return &*found;
     }
-    if (std::ranges::any_of(builder.cameras, [](const Camera& camera) { return camera.name.empty(); })) {
+    if (std::ranges::any_of(cameras, [](const Camera& camera) { return camera.name.empty(); })) {
         return nullptr;  // its name is wrong, which has been said; it may be the one
     }
     errors.add(named.camera.place,
-               builder.cameras.empty()     ? "the case has no camera that gives frames"
+               cameras.empty()             ? "the case has no camera that gives frames"
                : named.camera.text.empty() ? "frames does not say of which camera"
                                            : fmt::format("there is no camera \"{}\"", named.camera.text),
-               builder.cameras.empty() ? "add [[camera]] with a name"
-               : named.camera.text.empty()
-                   ? fmt::format("write frames = {{ {} = \"....h5\" }}", builder.cameras.front().name)
-                   : suggest(named.camera.text, names_of(builder.cameras), "cameras"));
+               cameras.empty()             ? "add [[camera]] with a name"
+               : named.camera.text.empty() ? fmt::format("write frames = {{ {} = \"....h5\" }}", cameras.front().name)
+                                           : suggest(named.camera.text, names_of(cameras), "cameras"));
     return nullptr;
 }
 
-void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuilder& builder, InputErrors& errors,
-              MeasuredRun& run, std::vector<InputWarning>& warnings) {
+void read_one(const Camera& camera, const FramesOfRun& named, const RunInputs* inputs, const solver::Problem& problem,
+              InputErrors& errors, MeasuredRun& run, std::vector<InputWarning>& warnings) {
     const std::optional<FrameFile> file = open_frames(named.path, named.place, errors);
     if (!file) {
         return;
@@ -144,11 +143,11 @@ void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuild
     }
     const std::optional<Window> window = window_of(camera, *file, errors);
     std::vector<std::size_t> frames;
-    const solver::Settings& settings = builder.problem.settings;
-    const double from = settings.start + (builder.run ? builder.run->lead : 0.0);
+    const solver::Settings& settings = problem.settings;
+    const double from = settings.start + (inputs != nullptr ? inputs->lead : 0.0);
     const auto is_left_out = [&](double t) {
-        return builder.run && std::ranges::any_of(builder.run->left_out,
-                                                  [t](const LapWindow& lap) { return t >= lap.from && t < lap.to; });
+        return inputs != nullptr &&
+               std::ranges::any_of(inputs->left_out, [t](const LapWindow& lap) { return t >= lap.from && t < lap.to; });
     };
     for (std::size_t i = 0; i < file->time.size(); ++i) {
         if (file->time[i] >= from && file->time[i] <= settings.end && !is_left_out(file->time[i])) {
@@ -181,7 +180,7 @@ void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuild
     if (camera.standard_deviation) {
         measured.standard_deviation = *camera.standard_deviation / camera.bin;
     }
-    find_pixels(camera, *window, alive, builder.problem, measured);
+    find_pixels(camera, *window, alive, problem, measured);
     if (measured.pixels.empty()) {
         errors.add({.file = file->number},
                    fmt::format("no pixel of {} is of use: of {} detectors {} are dead and {} look beside the specimen",
@@ -199,12 +198,13 @@ void read_one(const Camera& camera, const FramesOfRun& named, const ProblemBuild
 
 }  // namespace
 
-void read_frames(const RunTable& table, const ProblemBuilder& builder, InputErrors& errors, MeasuredRun& run,
+void read_frames(const RunTable& table, const RunInputs* inputs, const std::vector<Camera>& cameras,
+                 const solver::Problem& problem, InputErrors& errors, MeasuredRun& run,
                  std::vector<InputWarning>& warnings) {
     for (const FramesOfRun& named : table.frames) {
-        if (const Camera* camera = find_camera(named, builder, errors)) {
+        if (const Camera* camera = find_camera(named, cameras, errors)) {
             static_cast<void>(with_memory(named.path.generic_string(), named.place, errors, [&] {
-                read_one(*camera, named, builder, errors, run, warnings);
+                read_one(*camera, named, inputs, problem, errors, run, warnings);
                 return true;
             }));
         }

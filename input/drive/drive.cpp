@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/problem_builder.hpp"
+#include "input/drive/drive_reader.hpp"
 #include "input/tables/columns.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
@@ -33,7 +33,9 @@ bool are_in_order(const Column& column, const std::vector<double>& time, InputEr
     return true;
 }
 
-void read_schedule(TomlTable& table, ProblemBuilder& builder) {
+}  // namespace
+
+void DriveReader::read_schedule(TomlTable& table) {
     InputErrors& errors = table.errors();
     const std::vector<Column> columns = read_columns(table);
     const auto is_time = [](const Column& column) { return column.heading.name == "time"; };
@@ -61,33 +63,30 @@ void read_schedule(TomlTable& table, ProblemBuilder& builder) {
                        suggest(column.heading.name, names_of(physics::signals()), "inputs"));
             continue;
         }
-        const bool overridden = builder.overridden("schedule", signal->name);
-        const bool is_new = !overridden && register_signal(signal->name, column.place, column.place, builder, errors);
+        const bool is_overridden = overridden("schedule", signal->name);
+        const bool is_new = !is_overridden && register_signal(signal->name, column.place, column.place, errors);
         std::vector<double> values = read_numbers(column, quantity_specs::of(*signal), errors);
         if (is_new && ordered && !values.empty()) {
-            builder.take_driven(time);
-            builder.problem.input_signals.add(
+            take_driven(time);
+            read_.signals.inputs.add(
                 solver::Series{.signal = signal, .time = time, .value = std::move(values), .logged = false});
         }
     }
 }
 
-/// The inputs that a measured run's file gives.
-void add_measured(const RunInputs& run, ProblemBuilder& builder, InputErrors& errors) {
-    for (const MeasuredInput& input : run.inputs) {
-        if (register_signal(input.signal->name, input.place, run.place, builder, errors) && !input.value.empty()) {
-            builder.problem.input_signals.add(
+void DriveReader::add_measured(InputErrors& errors) {
+    for (const MeasuredInput& input : run_->inputs) {
+        if (register_signal(input.signal->name, input.place, run_->place, errors) && !input.value.empty()) {
+            read_.signals.inputs.add(
                 solver::Series{.signal = input.signal, .time = input.time, .value = input.value, .logged = true});
         }
     }
-    if (run.unreadable) {
+    if (run_->unreadable) {
         for (const Signal& signal : physics::signals()) {
-            builder.given.try_emplace(std::string(signal.name), run.place);
+            read_.signals.given.try_emplace(std::string(signal.name), run_->place);
         }
     }
 }
-
-}  // namespace
 
 bool RunInputs::says(std::string_view of_table, std::string_view key) const {
     const TomlValue* own = table != nullptr ? table->find(of_table) : nullptr;
@@ -100,18 +99,24 @@ bool RunInputs::overrides(std::string_view key, std::string_view signal) const {
     return given && !says("drive", key);
 }
 
-bool register_signal(std::string_view name, const SourceLocation& place, const SourceLocation& mentioned,
-                     ProblemBuilder& builder, InputErrors& errors) {
-    const auto [known, is_new] = builder.given.try_emplace(std::string(name), place);
+void DriveReader::take_driven(const std::vector<double>& time) {
+    DrivenSpan& span = read_.span;
+    span.from = std::min(span.from.value_or(time.front()), time.front());
+    span.to = std::max(span.to.value_or(time.back()), time.back());
+}
+
+bool DriveReader::register_signal(std::string_view name, const SourceLocation& place, const SourceLocation& mentioned,
+                                  InputErrors& errors) {
+    const auto [known, is_new] = read_.signals.given.try_emplace(std::string(name), place);
     if (is_new) {
         return true;
     }
-    const auto constant = std::ranges::find(builder.constants, name);
-    if (constant != builder.constants.end() && known->second.file != mentioned.file) {
-        if (known->second.file == builder.case_file) {  // which is laid over what it includes
+    const auto constant = std::ranges::find(constants_, name);
+    if (constant != constants_.end() && known->second.file != mentioned.file) {
+        if (known->second.file == case_file_) {  // which is laid over what it includes
             return false;
         }
-        builder.constants.erase(constant);
+        constants_.erase(constant);
         known->second = place;
         return true;
     }
@@ -122,29 +127,39 @@ bool register_signal(std::string_view name, const SourceLocation& place, const S
     return false;
 }
 
-void read_drive(TomlTable& root, ProblemBuilder& builder) {
-    TomlTable drive = root.subtable("drive");
+DriveTable DriveReader::read(TomlTable& drive) && {
     std::vector<std::pair<const Signal*, double>> constants;
     for (const Signal& signal : physics::signals()) {
-        const bool overridden = builder.overridden(signal.name, signal.name);
-        if (const auto value = drive.quantity(signal.name, quantity_specs::of(signal)); value && !overridden) {
+        const bool is_overridden = overridden(signal.name, signal.name);
+        if (const auto value = drive.quantity(signal.name, quantity_specs::of(signal)); value && !is_overridden) {
             constants.emplace_back(&signal, *value);
         }
-        if (drive.has(signal.name) && !overridden) {
-            register_signal(signal.name, drive.place(signal.name), drive.place(signal.name), builder, drive.errors());
-            builder.constants.emplace_back(signal.name);
+        if (drive.has(signal.name) && !is_overridden) {
+            register_signal(signal.name, drive.place(signal.name), drive.place(signal.name), drive.errors());
+            constants_.emplace_back(signal.name);
         }
     }
-    drive.each("schedule", [&](TomlTable& table) { read_schedule(table, builder); });
-    drive.each("file", [&](TomlTable& table) { read_logged(table, builder); });
+    drive.each("schedule", [&](TomlTable& table) { read_schedule(table); });
+    drive.each("file", [&](TomlTable& table) { read_log(table); });
     for (const auto& [signal, value] : constants) {
-        if (std::ranges::find(builder.constants, signal->name) != builder.constants.end()) {
-            builder.problem.input_signals.add(*signal, value);
+        if (std::ranges::find(constants_, signal->name) != constants_.end()) {
+            read_.signals.inputs.add(*signal, value);
         }
     }
-    if (builder.run) {
-        add_measured(*builder.run, builder, drive.errors());
+    if (run_ != nullptr) {
+        add_measured(drive.errors());
+        std::vector<UserColumn>& columns = read_.signals.columns;
+        columns.insert(columns.begin(), run_->columns.begin(), run_->columns.end());
+        if (!run_->course.course.time.empty()) {
+            read_.signals.course = run_->course;
+        }
     }
+    return std::move(read_);
+}
+
+DriveTable read_drive(TomlTable& root, const RunInputs* run, const std::vector<std::string>& followed) {
+    TomlTable drive = root.subtable("drive");
+    return DriveReader(root.place().file, run, followed).read(drive);
 }
 
 }  // namespace tiretherm::input

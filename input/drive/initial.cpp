@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "input/drive/drive.hpp"
 #include "input/model/probes.hpp"
-#include "input/model/problem_builder.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
@@ -19,7 +19,9 @@ namespace {
 
 /// Reads the keys of [initial].
 struct StartReader {
-    const ProblemBuilder& builder;
+    const solver::Problem& problem;
+    const GivenSignals& given;
+    const RunInputs* run;               ///< null: none is measured
     std::vector<std::string> channels;  ///< that [[sensor]] makes
 
     [[nodiscard]] bool is_sensor(std::string_view name) const {
@@ -27,24 +29,27 @@ struct StartReader {
     }
     [[nodiscard]] std::optional<double> read(TomlTable& initial, std::string_view key,
                                              Need need = Need::optional) const;
+    /// The air around the tire when the run starts; nothing where no air is given.
+    [[nodiscard]] std::optional<double> first_air() const;
+
+private:
+    /// The sensors' mean at the start of the run, in its first second. @param sensor its name, or that of an array
+    [[nodiscard]] std::optional<double> first_reading(std::string_view sensor) const;
 };
 
-/// The air around the tire when the run starts; nothing where no air is given.
-std::optional<double> first_air(const ProblemBuilder& builder) {
-    const solver::Problem& problem = builder.problem;
-    return builder.given.contains("air_temperature")
+std::optional<double> StartReader::first_air() const {
+    return given.contains("air_temperature")
                ? std::optional(
                      problem.input_signals.at(problem.settings.start, solver::JumpSide::after).air_temperature)
                : std::nullopt;
 }
 
-/// The sensors' mean at the start of the run, in its first second. @param sensor its name, or that of an array
-std::optional<double> first_reading(const ProblemBuilder& builder, std::string_view sensor) {
+std::optional<double> StartReader::first_reading(std::string_view sensor) const {
     constexpr double span = 1.0;  // s
-    const double start = builder.problem.settings.start + (builder.run ? builder.run->lead : 0.0);
+    const double start = problem.settings.start + (run != nullptr ? run->lead : 0.0);
     double sum = 0.0;
     int count = 0;
-    for (const StartReading& one : builder.run ? builder.run->start_readings : std::vector<StartReading>{}) {
+    for (const StartReading& one : run != nullptr ? run->start_readings : std::vector<StartReading>{}) {
         const std::vector<double>& time = one.reading.time;
         if (!is_channel_of(one.sensor, sensor)) {
             continue;
@@ -63,13 +68,12 @@ std::optional<double> StartReader::read(TomlTable& initial, std::string_view key
     const TomlValue* node = initial.value(key, Need::optional);
     const bool is_text = node != nullptr && node->kind == TomlValue::Kind::text;
     if (is_text && is_sensor(node->text)) {
-        const std::optional<double> read = first_reading(builder, node->text);
-        const bool is_reported =
-            builder.run && (builder.run->unreadable || (builder.run->has_file && !builder.run->first));
+        const std::optional<double> read = first_reading(node->text);
+        const bool is_reported = run != nullptr && (run->unreadable || (run->has_file && !run->first));
         if (!read && !is_reported) {
             initial.add_error(key,
                               fmt::format("{} is set to what {} reads, and {} has no such reading", key, node->text,
-                                          builder.run ? "the run " + builder.run->name : "a case without a run"),
+                                          run != nullptr ? "the run " + run->name : "a case without a run"),
                               "write a temperature, or give this run a start of its own: initial = { temperature = "
                               "\"40 degC\" }");
         }
@@ -88,7 +92,7 @@ std::optional<double> StartReader::read(TomlTable& initial, std::string_view key
     if (!is_text || node->text != "air_temperature") {
         return initial.quantity(key, quantity_specs::temperature, need);
     }
-    const std::optional<double> air = first_air(builder);
+    const std::optional<double> air = first_air();
     if (!air) {
         initial.add_error(key, fmt::format("{} is set to \"air_temperature\", but no air temperature is given", key),
                           "add air_temperature to [drive], or write a temperature");
@@ -98,17 +102,19 @@ std::optional<double> StartReader::read(TomlTable& initial, std::string_view key
 
 }  // namespace
 
-void read_initial(TomlTable& root, ProblemBuilder& builder) {
+std::vector<double> read_initial(TomlTable& root, const solver::Problem& problem, const GivenSignals& given,
+                                 const RunInputs* run) {
     TomlTable initial = root.subtable("initial", Need::required);
-    const StartReader start{.builder = builder, .channels = sensor_names(root.content())};
+    const StartReader start{.problem = problem, .given = given, .run = run, .channels = sensor_names(root.content())};
     const std::size_t before = initial.errors().count();
-    if (!builder.has_mesh) {
+    std::vector<double> temperatures;
+    if (problem.mesh.n_nodes == 0) {
         for (const Entry& layer : initial.content().entries) {
             static_cast<void>(start.read(initial, layer.key));
         }
-        return;
+        return temperatures;
     }
-    const mesh::Mesh& mesh = builder.problem.mesh;
+    const mesh::Mesh& mesh = problem.mesh;
     const bool by_layer = std::any_of(mesh.layers.begin(), mesh.layers.end(),
                                       [&](const std::string& layer) { return initial.has(layer); });
     const std::optional<double> everywhere =
@@ -120,18 +126,19 @@ void read_initial(TomlTable& root, ProblemBuilder& builder) {
         of_layer.push_back(own.value_or(everywhere.value_or(0.0)));
     }
     // Gas and rim start with the air around them, or as the rest where there is no air.
-    const double around = first_air(builder).value_or(everywhere.value_or(of_layer.front()));
+    const double around = start.first_air().value_or(everywhere.value_or(of_layer.front()));
     std::map<int, double> of_node;
     for (const mesh::LumpedNode& lumped_node : mesh.lumped_nodes) {
         of_node[lumped_node.node] = start.read(initial, lumped_node.name).value_or(around);
     }
     if (initial.errors().count() > before) {
-        return;
+        return temperatures;
     }
     for (int node = 0; node < mesh.n_nodes; ++node) {
         const int layer = mesh.layer[static_cast<std::size_t>(node)];
-        builder.problem.initial.push_back(layer < 0 ? of_node.at(node) : of_layer[static_cast<std::size_t>(layer)]);
+        temperatures.push_back(layer < 0 ? of_node.at(node) : of_layer[static_cast<std::size_t>(layer)]);
     }
+    return temperatures;
 }
 
 }  // namespace tiretherm::input

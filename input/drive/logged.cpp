@@ -7,52 +7,46 @@
 
 #include <fmt/format.h>
 
-#include "input/drive/run_inputs.hpp"
+#include "input/drive/drive_reader.hpp"
+#include "input/drive/run_columns.hpp"
 #include "input/measurements/dead_stretches.hpp"
-#include "input/model/problem_builder.hpp"
+#include "input/measurements/logged_signal.hpp"
 #include "input/tables/data_file.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/vehicle/dead_channels.hpp"
 
 namespace tiretherm::input {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-/// The time first, then the columns that the case takes from this file.
-/// @param outranked out, whether a measured run's file or a constant of the case gives an input instead
-std::vector<ColumnRequest> requests(const TomlTable& table, const DataFile& file, const RunColumns& columns,
-                                    ProblemBuilder& builder, bool& outranked) {
+std::vector<ColumnRequest> DriveReader::requests(const TomlTable& table, const DataFile& file,
+                                                 const RunColumns& columns, bool& outranked) {
     InputErrors& errors = table.errors();
     std::vector<ColumnRequest> found{file.request(columns.time, "time", quantity_specs::moment, Purpose::clock)};
     const auto place_of = [&](int column) { return file.heads()[static_cast<std::size_t>(column)].place; };
     for (const auto& [column, name, input, is_sensor] : columns.used) {
         const std::size_t before = errors.count();
-        if (!builder.overridden("file", name) &&
-            register_signal(name, place_of(column), table.place("path"), builder, errors)) {
+        if (!overridden("file", name) && register_signal(name, place_of(column), table.place("path"), errors)) {
             found.push_back(file.request(column, name, quantity_specs::of(*input)));
         } else {
             outranked = outranked || errors.count() == before;
         }
     }
-    builder.columns.reserve(builder.columns.size() + columns.followed.size());  // requests look into it
+    read_.signals.columns.reserve(read_.signals.columns.size() + columns.followed.size());  // requests look into it
     for (const auto& [column, name] : columns.followed) {
-        if (std::ranges::find(builder.columns, name, &UserColumn::name) != builder.columns.end()) {
+        if (std::ranges::find(read_.signals.columns, name, &UserColumn::name) != read_.signals.columns.end()) {
             errors.add(place_of(column), fmt::format("a second column is called {}", name), "ignore one of them");
             continue;
         }
         // Its own unit says what its numbers are.
         const Heading& heading = file.heads()[static_cast<std::size_t>(column)].heading;
-        builder.columns.push_back({.name = name, .unit = base_unit(heading.unit), .signal = {}});
-        found.push_back(file.request(column, name, {.unit = builder.columns.back().unit}));
+        read_.signals.columns.push_back({.name = name, .unit = base_unit(heading.unit), .signal = {}});
+        found.push_back(file.request(column, name, {.unit = read_.signals.columns.back().unit}));
     }
     return found;
 }
 
-}  // namespace
-
-void read_logged(TomlTable& table, ProblemBuilder& builder) {
+void DriveReader::read_log(TomlTable& table) {
     InputErrors& errors = table.errors();
     const std::optional<std::string> path = table.text("path");
     ColumnKeys keys;
@@ -67,7 +61,7 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
         return;
     }
     const std::size_t before = errors.count();
-    const RunColumns columns = classify_columns(*file, keys, {}, builder.followed, errors);
+    const RunColumns columns = classify_columns(*file, keys, {}, followed_, errors);
     for (const UsedColumn& column : columns.used) {
         static_cast<void>(keys.holds(column.name));  // which is known then
     }
@@ -81,7 +75,7 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
         return;
     }
     bool outranked = false;
-    const std::vector<ColumnRequest> requested = requests(table, *file, columns, builder, outranked);
+    const std::vector<ColumnRequest> requested = requests(table, *file, columns, outranked);
     if (requested.size() == 1 && !outranked && errors.count() == before) {
         table.add_error("path", "no column of the file is an input",
                         "rename columns to inputs: columns = { V = \"speed\" }");
@@ -95,13 +89,14 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
         return;
     }
     const std::vector<double> time = std::move(values.front());
-    if (std::ranges::any_of(builder.followed, is_vehicle_signal)) {
-        builder.course = course_over_ground(*file, time, errors);
+    if (std::ranges::any_of(followed_, is_vehicle_signal)) {
+        read_.signals.course = course_over_ground(*file, time, errors);
     }
-    builder.logged_from = std::min(builder.logged_from.value_or(time.front()), time.front());
-    builder.logged_to = std::max(builder.logged_to.value_or(time.back()), time.back());
+    DrivenSpan& span = read_.span;
+    span.logged_from = std::min(span.logged_from.value_or(time.front()), time.front());
+    span.logged_to = std::max(span.logged_to.value_or(time.back()), time.back());
     if (values.size() > 1) {
-        builder.take_driven(time);
+        take_driven(time);
     }
     for (std::size_t i = 1; i < values.size(); ++i) {
         const std::string& name = requested[i].name;
@@ -121,15 +116,15 @@ void read_logged(TomlTable& table, ProblemBuilder& builder) {
             known = held(known);
         }
         if (physics::find_signal(name) == nullptr) {
-            UserColumn& column = *std::ranges::find(builder.columns, name, &UserColumn::name);
+            UserColumn& column = *std::ranges::find(read_.signals.columns, name, &UserColumn::name);
             column.signal = std::move(known);
             column.beside = live_column_beside(*file, requested[i].column, column, time, errors);
             continue;
         }
-        builder.problem.input_signals.add(solver::Series{.signal = physics::find_signal(name),
-                                                         .time = std::move(known.time),
-                                                         .value = std::move(known.value),
-                                                         .logged = true});
+        read_.signals.inputs.add(solver::Series{.signal = physics::find_signal(name),
+                                                .time = std::move(known.time),
+                                                .value = std::move(known.value),
+                                                .logged = true});
     }
 }
 

@@ -4,10 +4,10 @@
 
 #include <optional>
 
+#include "input/drive/drive.hpp"
 #include "input/drive/run_columns.hpp"
 #include "input/laps/laps.hpp"
 #include "input/laps/repeated_lap.hpp"
-#include "input/model/problem_builder.hpp"
 
 namespace tiretherm::input {
 
@@ -29,37 +29,6 @@ struct RunFile {
 [[nodiscard]] std::optional<RunFile> open_run_file(const RunTable& run, const TomlValue& document,
                                                    const std::vector<std::string>& sensors,
                                                    const std::vector<std::string>& followed, InputErrors& errors);
-
-/// An input may be missing in this share of its samples, or of a run's time.
-constexpr double most_missing_share = 0.1;
-/// s; a logger that leaves single fields empty, each no longer than this, may leave more of them so
-constexpr double short_gap = 1.0;
-
-/// Whether an input is no longer known in a gap of a run: it lasts longer than 60 s and than 5 % of the run. @param gap s
-[[nodiscard]] bool too_long_a_gap(double gap, double length);
-
-/// The samples that have a value. @param time [n] s  @param value [n], NaN where it is missing
-[[nodiscard]] solver::SignalHistory known_samples(const std::vector<double>& time, const std::vector<double>& value);
-
-/// A signal of which each value counts until the next sample: a jump there, as two points at one time.
-[[nodiscard]] solver::SignalHistory held(const solver::SignalHistory& samples);
-
-/// Why a signal with these gaps is not known well enough to drive a run; nothing where it is.
-/// @param time [n] s  @param value [n], NaN where it is missing
-/// @returns with the remedy of a run that can be split; without one where nothing is known
-[[nodiscard]] std::optional<ErrorText> gap_error(const std::string& name, const std::vector<double>& time,
-                                                 const std::vector<double>& value);
-
-/// What to do about a signal with gaps.
-struct GapRemedy {
-    SourceLocation place;    ///< of the column
-    std::string elsewhere;   ///< where to have the signal from instead
-    bool can_split = false;  ///< a part of the file may be left out
-};
-
-/// Reports gaps in a signal as an error, or as a warning. @returns whether it is known well enough
-bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
-                const GapRemedy& remedy, InputErrors& errors);
 
 /// The inputs that the file gives. A missing sample is left out, so that the input goes straight between its neighbours;
 /// where too much is missing that would be an invention, and is an error.

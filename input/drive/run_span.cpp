@@ -18,30 +18,27 @@ std::string in_minutes(double seconds) {
     return seconds < 600.0 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.4g} min", seconds / 60.0);
 }
 
-double start_of_run(const ProblemBuilder& builder, double start, std::optional<double> end) {
-    const RunInputs& run = *builder.run;
+double start_of_run(const RunInputs& run, const DrivenSpan& span, double start, std::optional<double> end) {
     const double first = *run.first;
     if (run.drives() || run.part_of_file || !run.start_readings.empty()) {
         return first;
     }
-    const std::optional<double> last = end ? end : builder.driven_to;
+    const std::optional<double> last = end ? end : span.to;
     return last && first > start && first < *last ? start : first;
 }
 
-std::vector<std::string> not_driven(const ProblemBuilder& builder) {
+std::vector<std::string> not_driven(const RunInputs& run, const DrivenSpan& span, const solver::Settings& settings) {
     std::vector<std::string> sentences;
-    const solver::Settings& settings = builder.problem.settings;
-    if (!builder.run || !builder.run->first || settings.steady) {
+    if (!run.first || settings.steady) {
         return sentences;
     }
-    const RunInputs& run = *builder.run;
     const std::string start = fmt::format("the run starts at {} from [initial]", in_minutes(settings.start));
     if (run.part_of_file && run.lead == 0.0 && settings.start > run.file_first + negligible) {
         sentences.push_back(fmt::format("{}; the first {} of the file are not driven", start,
                                         in_minutes(settings.start - run.file_first)));
     }
-    const double from = builder.driven_from.value_or(settings.start);
-    const double to = builder.driven_to.value_or(from);
+    const double from = span.from.value_or(settings.start);
+    const double to = span.to.value_or(from);
     if (to <= from) {
         return sentences;
     }

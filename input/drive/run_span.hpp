@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "input/model/problem_builder.hpp"
+#include "input/drive/drive.hpp"
 
 namespace tiretherm::input {
 
@@ -18,9 +18,11 @@ namespace tiretherm::input {
 /// driven before the first of them: such a run starts where the case does, unless the readings have a clock of their own.
 /// @param start of the case, s  @param end of the case, s, where it says one
 /// @pre the run's file has samples
-[[nodiscard]] double start_of_run(const ProblemBuilder& builder, double start, std::optional<double> end);
+[[nodiscard]] double start_of_run(const RunInputs& run, const DrivenSpan& span, double start,
+                                  std::optional<double> end);
 
 /// What of the schedules and logs of the case, and of the run's file, is not simulated; a sentence each.
-[[nodiscard]] std::vector<std::string> not_driven(const ProblemBuilder& builder);
+[[nodiscard]] std::vector<std::string> not_driven(const RunInputs& run, const DrivenSpan& span,
+                                                  const solver::Settings& settings);
 
 }  // namespace tiretherm::input

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/problem_builder.hpp"
+#include "input/drive/drive.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/word_lists.hpp"
 #include "solver/hot_spot/schedule_steps.hpp"
@@ -26,11 +26,10 @@ std::vector<solver::ScheduleStep> steps_of(const TomlValue& document, const Inpu
     InputErrors again = errors;
     TomlTable root(document, "the case", again);
     root.allow_unknown_keys();
-    ProblemBuilder builder;
-    read_drive(root, builder);
+    const DriveTable drive = read_drive(root, nullptr, {});
     TomlTable time = root.subtable("time");
     time.allow_unknown_keys();
-    const solver::InputSignals& inputs = builder.problem.input_signals;
+    const solver::InputSignals& inputs = drive.signals.inputs;
     const double start = time.quantity("start").value_or(0.0);
     const double last = inputs.stops().empty() ? start : inputs.stops().back();
     const double end = time.quantity("end").value_or(last);

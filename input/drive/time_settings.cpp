@@ -18,21 +18,20 @@ namespace {
 constexpr double many_steps = 1e7;
 
 /// A log goes on beyond the run, which somebody who included the run's end from another file does not see.
-void warn_of_cut_log(const TomlTable& time, const ProblemBuilder& builder) {
-    const solver::Settings& settings = builder.problem.settings;
-    if (!builder.logged_from || !builder.logged_to || settings.steady || (builder.run && builder.run->last)) {
+void warn_of_cut_log(const TomlTable& time, const solver::Settings& settings, const DrivenSpan& span) {
+    if (!span.logged_from || !span.logged_to || settings.steady) {
         return;
     }
-    const double length = *builder.logged_to - *builder.logged_from;
-    const double before = settings.start - *builder.logged_from;
-    const double after = *builder.logged_to - settings.end;
+    const double length = *span.logged_to - *span.logged_from;
+    const double before = settings.start - *span.logged_from;
+    const double after = *span.logged_to - settings.end;
     const auto warn = [&](std::string_view key, double cut, std::string_view which) {
         if (time.has(key) && cut > 1e-6 * length) {
             time.errors().warn(time.place(key),
                                fmt::format("[time] {} cuts {} of {} off the {} of the log; {} = \"{:.10g} s\" in the "
                                            "case would use all of it",
                                            key, in_minutes(std::min(cut, length)), in_minutes(length), which, key,
-                                           key == "start" ? *builder.logged_from : *builder.logged_to));
+                                           key == "start" ? *span.logged_from : *span.logged_to));
         }
     };
     warn("start", before, "beginning");
@@ -41,26 +40,25 @@ void warn_of_cut_log(const TomlTable& time, const ProblemBuilder& builder) {
 
 }  // namespace
 
-void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
-    solver::Settings& into = builder.problem.settings;
+solver::Settings read_time_settings(TomlTable& root, const DrivenSpan& span, const RunInputs* run) {
+    solver::Settings into;
     // A measured run lasts as long as its file, unless its own table says otherwise.
-    const bool of_file = builder.run && builder.run->last;
-    const bool own_start = of_file && builder.run->says("time", "start");
-    const bool own_end = of_file && builder.run->says("time", "end");
-    const bool implied = builder.logged_to || (builder.run && builder.run->has_file);
+    const bool of_file = run != nullptr && run->last;
+    const bool own_start = of_file && run->says("time", "start");
+    const bool own_end = of_file && run->says("time", "end");
+    const bool implied = span.logged_to || (run != nullptr && run->has_file);
     TomlTable time = root.subtable("time", implied ? Need::optional : Need::required);
     time.read_into(into);
-    into.start = time.quantity("start").value_or(builder.logged_from.value_or(0.0));
+    into.start = time.quantity("start").value_or(span.logged_from.value_or(0.0));
     const auto end = time.quantity("end", implied || into.steady ? Need::optional : Need::required);
-    into.end = end.value_or(builder.logged_to.value_or(into.start));
+    into.end = end.value_or(span.logged_to.value_or(into.start));
     if (of_file) {
-        into.start = own_start ? into.start : start_of_run(builder, into.start, end);
-        into.end = own_end ? into.end : *builder.run->last;
+        into.start = own_start ? into.start : start_of_run(*run, span, into.start, end);
+        into.end = own_end ? into.end : *run->last;
     }
-    if (own_start && builder.run->lead > 0.0) {
+    if (own_start && run->lead > 0.0) {
         time.add_error("start", "start and repeat_first_lap both say where the run begins", "keep one of them");
     }
-    builder.problem.input_signals.start_at(into.start);
     if (into.linear_solver == solver::LinearSolver::petsc && !solver::has_petsc()) {
         time.add_error("linear_solver", "this program was built without PETSc",
                        "configure it with -DTIRETHERM_PETSC=ON, or leave the linear solver to the program");
@@ -71,9 +69,11 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
         time.add_error(of_file && !own_end ? "start" : "end",
                        fmt::format("the run ends at {:.6g} s and starts at {:.6g} s", into.end, into.start),
                        "let end be later than start");
-        return;
+        return into;
     }
-    warn_of_cut_log(time, builder);
+    if (!of_file) {
+        warn_of_cut_log(time, into, span);
+    }
     if (into.fixed_step && length / *into.fixed_step > many_steps) {
         time.errors().warn(time.place("step"),
                            fmt::format("step divides the run into {:.2g} pieces", length / *into.fixed_step));
@@ -83,6 +83,7 @@ void read_time_settings(TomlTable& root, ProblemBuilder& builder) {
             time.errors().warn(time.place(key), fmt::format("{} has no effect: the step is fixed", key));
         }
     }
+    return into;
 }
 
 }  // namespace tiretherm::input

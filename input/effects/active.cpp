@@ -135,19 +135,19 @@ int find_part(const mesh::Mesh& mesh, physics::Scope scope, std::string_view nam
 
 /// The table `<parameter>_by_patch`, `_by_layer` or `_by_zone`: other values at some places.
 void read_overrides(TomlTable& table, const ParameterSpec& parameter, std::size_t index, const Overridable& where,
-                    const ProblemBuilder& builder, ActiveEffect& active) {
+                    const mesh::Mesh& mesh, ActiveEffect& active) {
     TomlTable values = table.subtable(std::string(parameter.key) + std::string(where.ending));
     if (!values.exists()) {
         return;
     }
-    if (!builder.has_mesh) {
+    if (mesh.n_nodes == 0) {
         values.allow_unknown_keys();
         return;
     }
     for (const std::string& name : where.names) {
         if (const auto value = values.quantity(name, quantity_specs::of(parameter))) {
             active.overrides.push_back({.scope = where.scope,
-                                        .index = find_part(builder.problem.mesh, where.scope, name),
+                                        .index = find_part(mesh, where.scope, name),
                                         .parameter = index,
                                         .value = *value});
         }
@@ -156,8 +156,9 @@ void read_overrides(TomlTable& table, const ParameterSpec& parameter, std::size_
 
 }  // namespace
 
-ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBuilder& builder) {
-    ActiveEffect active = physics::activate(effect, builder.problem.mesh);
+ActiveEffect read_active(TomlTable& table, const Effect& effect, const mesh::Mesh& mesh) {
+    const bool has_mesh = mesh.n_nodes > 0;
+    ActiveEffect active = physics::activate(effect, mesh);
     for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
         const ParameterSpec& parameter = effect.parameters[i];
         active.parameters[i] =
@@ -171,14 +172,13 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
             read_choice(table, effect.choices[i], active.choices[i]);
         }
     }
-    const mesh::Mesh& mesh = builder.problem.mesh;
     for (std::size_t i = 0; i < effect.tables.size(); ++i) {
         const physics::Table& curve = effect.tables[i];
         active.tables[i] = read_curve(table, curve.key, {.unit = curve.variable_unit, .low = -1e6, .high = 1e6},
                                       {.unit = curve.value_unit, .low = 0.0, .high = 1e9});
     }
     if (!effect.patches.empty()) {
-        if (builder.has_mesh) {
+        if (has_mesh) {
             read_parts(
                 table, "patches", names_of(mesh.patches), [&](std::string_view name) { return mesh.find_patch(name); },
                 active.patches);
@@ -187,7 +187,7 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
         }
     }
     if (effect.on_layers) {
-        if (builder.has_mesh) {
+        if (has_mesh) {
             read_parts(
                 table, "layers", mesh.layers, [&](std::string_view name) { return mesh.find_layer(name); },
                 active.layers);
@@ -197,7 +197,7 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const ProblemBu
     }
     for (const Overridable& where : overridable(effect, mesh, active)) {
         for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-            read_overrides(table, effect.parameters[i], i, where, builder, active);
+            read_overrides(table, effect.parameters[i], i, where, mesh, active);
         }
     }
     if (effect.field() != physics::FieldOf::nothing) {  // read when the run's times are known
@@ -240,9 +240,9 @@ void check_channel(TomlTable& table, const LocatedString& word, const Effect& ef
 }
 
 /// Puts a sensor model behind all that a camera sees.
-void bind_camera(TomlTable& table, const LocatedString& word, const Camera& camera, const ProblemBuilder& builder,
+void bind_camera(TomlTable& table, const LocatedString& word, const Camera& camera, const solver::Problem& problem,
                  ActiveEffect& active) {
-    const bool has_own = std::ranges::any_of(builder.problem.effects, [&](const ActiveEffect& other) {
+    const bool has_own = std::ranges::any_of(problem.effects, [&](const ActiveEffect& other) {
         return other.name == camera.name && other.effect == active.effect;
     });
     if (has_own) {
@@ -251,7 +251,7 @@ void bind_camera(TomlTable& table, const LocatedString& word, const Camera& came
         return;
     }
     if (camera.channels.count > 0) {
-        check_channel(table, word, *active.effect, builder.problem.channels[camera.channels.first]);
+        check_channel(table, word, *active.effect, problem.channels[camera.channels.first]);
     }
     for (std::size_t channel = camera.channels.first; channel < camera.channels.end(); ++channel) {
         active.channels.push_back(static_cast<int>(channel));
@@ -260,10 +260,11 @@ void bind_camera(TomlTable& table, const LocatedString& word, const Camera& came
 
 }  // namespace
 
-void bind_channels(TomlTable& table, const ProblemBuilder& builder, ActiveEffect& active) {
+void bind_channels(TomlTable& table, const std::vector<Camera>& cameras, const solver::Problem& problem,
+                   ActiveEffect& active) {
     // A camera's channels go by the camera's name.
-    std::vector<std::string> known = names_of(builder.problem.channels);
-    known.resize(builder.problem.n_sensors());
+    std::vector<std::string> known = names_of(problem.channels);
+    known.resize(problem.n_sensors());
     const auto find = [&](std::string_view name) {
         const auto found = std::find(known.begin(), known.end(), name);
         return found == known.end() ? -1 : static_cast<int>(found - known.begin());
@@ -275,10 +276,9 @@ void bind_channels(TomlTable& table, const ProblemBuilder& builder, ActiveEffect
     for (const LocatedString& word : table.texts("channels")) {
         if (const int channel = find(word.text); channel >= 0) {
             active.channels.push_back(channel);
-            check_channel(table, word, *active.effect, builder.problem.channels[static_cast<std::size_t>(channel)]);
-        } else if (const auto camera = std::ranges::find(builder.cameras, word.text, &Camera::name);
-                   camera != builder.cameras.end()) {
-            bind_camera(table, word, *camera, builder, active);
+            check_channel(table, word, *active.effect, problem.channels[static_cast<std::size_t>(channel)]);
+        } else if (const auto camera = std::ranges::find(cameras, word.text, &Camera::name); camera != cameras.end()) {
+            bind_camera(table, word, *camera, problem, active);
         } else {
             table.errors().add(word.place, fmt::format("there is no sensor \"{}\"", word.text),
                                suggest(word.text, known, "sensors"));
@@ -287,7 +287,7 @@ void bind_channels(TomlTable& table, const ProblemBuilder& builder, ActiveEffect
     for (std::size_t i = 0; i < active.effect->parameters.size(); ++i) {
         const ParameterSpec& parameter = active.effect->parameters[i];
         TomlTable values = table.subtable(std::string(parameter.key) + "_by_channel");
-        for (const Camera& camera : builder.cameras) {
+        for (const Camera& camera : cameras) {
             if (const auto value =
                     values.exists() ? values.quantity(camera.name, quantity_specs::of(parameter)) : std::nullopt) {
                 for (const int channel : active.channels) {

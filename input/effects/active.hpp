@@ -2,7 +2,7 @@
 // Reads one table [effects.NAME] into an active effect; values that the table leaves out keep their defaults.
 #pragma once
 
-#include "input/model/problem_builder.hpp"
+#include "input/cameras/camera.hpp"
 #include "physics/effect.hpp"
 
 namespace tiretherm::input {
@@ -13,12 +13,13 @@ namespace tiretherm::input {
 ///     patches = ["top", "bottom"]
 ///     h_by_patch = { top = "60 W/m2K" }
 [[nodiscard]] physics::ActiveEffect read_active(TomlTable& table, const physics::Effect& effect,
-                                                const ProblemBuilder& builder);
+                                                const mesh::Mesh& mesh);
 
 /// The channels of a sensor model, when the sensors are known:
 ///     [effects.sensor_lag]
 ///     channels = ["bulk_temperature"]
 ///     tau_by_channel = { bulk_temperature = "12 s" }
-void bind_channels(TomlTable& table, const ProblemBuilder& builder, physics::ActiveEffect& active);
+void bind_channels(TomlTable& table, const std::vector<Camera>& cameras, const solver::Problem& problem,
+                   physics::ActiveEffect& active);
 
 }  // namespace tiretherm::input

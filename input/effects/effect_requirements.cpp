@@ -58,18 +58,18 @@ std::string mapping_to(std::string_view input, const RunInputs& run, const std::
 }
 
 /// Whether any slip is given that makes heat.
-bool gives_slip(const ProblemBuilder& builder) {
+bool gives_slip(const GivenSignals& given) {
     return std::ranges::any_of(std::array<std::string_view, 3>{"slip_angle", "slip_ratio", "slip_speed"},
-                               [&](std::string_view name) { return builder.given.contains(name); });
+                               [&](std::string_view name) { return given.contains(name); });
 }
 
 /// Sensors, and sensor models of them, that read a signal.
-std::vector<std::string> sensors_that_read(const ProblemBuilder& builder, std::string_view signal) {
+std::vector<std::string> sensors_that_read(const solver::Problem& problem, std::string_view signal) {
     std::vector<std::string> found;
-    for (std::size_t c = 0; c < builder.problem.n_sensors(); ++c) {
-        const solver::Channel& channel = builder.problem.channels[c];
+    for (std::size_t c = 0; c < problem.n_sensors(); ++c) {
+        const solver::Channel& channel = problem.channels[c];
         const solver::QuantityDescription& quantity = solver::description_of(channel.quantity);
-        const bool by_model = std::ranges::any_of(builder.problem.effects, [&](const ActiveEffect& a) {
+        const bool by_model = std::ranges::any_of(problem.effects, [&](const ActiveEffect& a) {
             return uses(*a.effect, signal) && std::ranges::count(a.channels, static_cast<int>(c)) > 0;
         });
         if (std::ranges::count(quantity.signals, signal) > 0 || by_model ||
@@ -88,31 +88,32 @@ bool heats_by(const ActiveEffect& active, std::string_view signal) {
 }  // namespace
 
 void check_requirements(TomlTable& root, const ActiveEffect& active, const SourceLocation& place, bool chosen,
-                        const ProblemBuilder& builder) {
+                        bool has_tire, const mesh::Mesh& mesh) {
     const Effect& effect = *active.effect;
+    const bool has_mesh = mesh.n_nodes > 0;
     const std::string off = fmt::format("or switch it off: [effects.{}] on = false", effect.id);
-    if (!effect.needs_tire && turns(active) && !builder.has_tire) {
+    if (!effect.needs_tire && turns(active) && !has_tire) {
         root.errors().add(place, fmt::format("the rotating disk of {} needs a tire", effect.id),
                           fmt::format("add [tire], or write {} = \"{}\"", physics::disk_film::key,
                                       physics::disk_film::films.front()));
         return;
     }
-    if (effect.needs_tire && !builder.has_tire) {
+    if (effect.needs_tire && !has_tire) {
         root.errors().add(place, fmt::format("{} needs a tire", effect.id), fmt::format("add [tire], {}", off));
         return;
     }
-    if (builder.has_mesh && effect.needs_grid && builder.problem.mesh.is_lumped()) {
+    if (has_mesh && effect.needs_grid && mesh.is_lumped()) {
         root.errors().add(place, fmt::format("{} needs cells, and this mesh has two lumps", effect.id),
                           fmt::format("take layers or section, {}", off));
         return;
     }
-    if (builder.has_mesh && effect.invalid_on_mesh != nullptr) {
-        if (const std::string sentence = effect.invalid_on_mesh(active, builder.problem.mesh); !sentence.empty()) {
+    if (has_mesh && effect.invalid_on_mesh != nullptr) {
+        if (const std::string sentence = effect.invalid_on_mesh(active, mesh); !sentence.empty()) {
             root.errors().add(place, fmt::format("{}: {}", effect.id, sentence));
         }
     }
-    if (builder.has_mesh && !chosen && !effect.patches.empty() && active.patches.empty()) {
-        const std::vector<std::string> patches = names_of(builder.problem.mesh.patches);
+    if (has_mesh && !chosen && !effect.patches.empty() && active.patches.empty()) {
+        const std::vector<std::string> patches = names_of(mesh.patches);
         const std::vector<std::string> standard(effect.patches.begin(), effect.patches.end());
         root.errors().add(
             place, fmt::format("{} acts on the patch {}, which this mesh does not have", effect.id, listed(standard)),
@@ -121,8 +122,8 @@ void check_requirements(TomlTable& root, const ActiveEffect& active, const Sourc
     }
 }
 
-void check_weights(TomlTable& root, const ProblemBuilder& builder) {
-    const solver::System system(builder.problem);
+void check_weights(TomlTable& root, const solver::Problem& problem) {
+    const solver::System system(problem);
     for (const ActiveEffect& active : system.effects()) {
         if (std::ranges::any_of(active.weights, [](double weight) { return !std::isfinite(weight); })) {
             const TomlValue* effects = root.content().find("effects");
@@ -134,11 +135,11 @@ void check_weights(TomlTable& root, const ProblemBuilder& builder) {
     }
 }
 
-void warn_of_doubles(TomlTable& root, const ProblemBuilder& builder) {
-    for (const ActiveEffect& active : builder.problem.effects) {
+void warn_of_doubles(TomlTable& root, const solver::Problem& problem) {
+    for (const ActiveEffect& active : problem.effects) {
         const std::string_view other = active.effect->instead_of;
-        if (!other.empty() && std::ranges::any_of(builder.problem.effects,
-                                                  [&](const ActiveEffect& a) { return a.effect->id == other; })) {
+        if (!other.empty() &&
+            std::ranges::any_of(problem.effects, [&](const ActiveEffect& a) { return a.effect->id == other; })) {
             const TomlValue* table = root.content().find("effects")->find(active.effect->id);
             root.errors().warn(table->place, fmt::format("{0} and {1} both act and count the same heat twice: "
                                                          "[effects.{1}] on = false",
@@ -147,11 +148,11 @@ void warn_of_doubles(TomlTable& root, const ProblemBuilder& builder) {
     }
 }
 
-void warn_of_two_shares(TomlTable& root, const ProblemBuilder& builder) {
-    const std::vector<ActiveEffect>& effects = builder.problem.effects;
+void warn_of_two_shares(TomlTable& root, const GivenSignals& given, const solver::Problem& problem) {
+    const std::vector<ActiveEffect>& effects = problem.effects;
     const auto sliding =
         std::ranges::find_if(effects, [](const ActiveEffect& a) { return a.effect->id == "sliding_friction"; });
-    if (sliding == effects.end() || !gives_slip(builder)) {
+    if (sliding == effects.end() || !gives_slip(given)) {
         return;
     }
     const double share = (*sliding)[static_cast<std::size_t>(physics::find_parameter(*sliding->effect, "partition"))];
@@ -173,54 +174,55 @@ void warn_of_two_shares(TomlTable& root, const ProblemBuilder& builder) {
     }
 }
 
-void check_signals(TomlTable& root, const ProblemBuilder& builder) {
+void check_signals(TomlTable& root, const EffectSurroundings& in, const solver::Problem& problem) {
+    const RunInputs* const run = in.run;
     for (const physics::Signal& signal : physics::signals()) {
         std::vector<std::string> needing;
-        for (const ActiveEffect& active : builder.problem.effects) {
-            const bool can_act = builder.has_tire || !(active.effect->needs_tire || turns(active));
+        for (const ActiveEffect& active : problem.effects) {
+            const bool can_act = in.has_tire || !(active.effect->needs_tire || turns(active));
             if (can_act && needs(active, signal.name)) {
                 needing.emplace_back(active.effect->id);
             }
         }
-        if (!needing.empty() && !builder.given.contains(signal.name)) {
+        if (!needing.empty() && !in.signals.given.contains(signal.name)) {
             const bool one = needing.size() == 1;
             const std::string lacking =
-                builder.run
-                    ? fmt::format(
+                run ? fmt::format(
                           "run {}: {} is missing (no column of its file is mapped to it and [drive] does not set it)",
-                          builder.run->name, signal.name)
+                          run->name, signal.name)
                     : fmt::format("[drive] lacks {}", signal.name);
             const std::string column =
-                builder.run ? mapping_to(signal.name, *builder.run, sensor_names(root.content())) : "";
-            root.errors().add(builder.run ? builder.run->place : root.place("drive"),
+                run != nullptr ? mapping_to(signal.name, *run, sensor_names(root.content())) : "";
+            root.errors().add(run != nullptr ? run->place : root.place("drive"),
                               {.what = fmt::format("{}, which {} {}", lacking, listed(needing), one ? "needs" : "need"),
                                .remedy = fmt::format("{}add {} = {}{}, or switch {} off: [effects.{}] on = false",
                                                      column, signal.name, spell_example(quantity_specs::of(signal)),
-                                                     builder.run ? " to [drive]" : "",
+                                                     run != nullptr ? " to [drive]" : "",
                                                      one ? "the effect" : "the effects", needing.front()),
-                               .code = builder.run ? ErrorCode::other : ErrorCode::missing_input,
+                               .code = run != nullptr ? ErrorCode::other : ErrorCode::missing_input,
                                .about = std::string(signal.name)});
         }
     }
 }
 
-void warn_of_unread_signals(TomlTable& root, const ProblemBuilder& builder) {
+void warn_of_unread_signals(TomlTable& root, const GivenSignals& given_signals,
+                            const std::vector<std::string>& followed, const solver::Problem& problem) {
     std::vector<std::string> unread;
     std::vector<std::string> read_by_sensors;
     std::vector<std::string> sensors;
     for (const physics::Signal& signal : physics::signals()) {
-        const bool by_heat = std::ranges::any_of(builder.problem.effects,
-                                                 [&](const ActiveEffect& a) { return heats_by(a, signal.name); });
-        const bool by_own = std::ranges::count(builder.followed, signal.name) > 0;
+        const bool by_heat =
+            std::ranges::any_of(problem.effects, [&](const ActiveEffect& a) { return heats_by(a, signal.name); });
+        const bool by_own = std::ranges::count(followed, signal.name) > 0;
         // What [vehicle] computes nobody gave in vain.
-        const auto given = builder.given.find(signal.name);
-        const bool by_vehicle = given != builder.given.end() && root.has("vehicle") &&
+        const auto given = given_signals.find(signal.name);
+        const bool by_vehicle = given != given_signals.end() && root.has("vehicle") &&
                                 given->second.file == root.place("vehicle").file &&
                                 given->second.line == root.place("vehicle").line;
-        if (!builder.problem.input_signals.gives(signal) || by_heat || by_own || by_vehicle) {
+        if (!problem.input_signals.gives(signal) || by_heat || by_own || by_vehicle) {
             continue;
         }
-        const std::vector<std::string> readers = sensors_that_read(builder, signal.name);
+        const std::vector<std::string> readers = sensors_that_read(problem, signal.name);
         if (readers.empty()) {
             unread.emplace_back(signal.name);
             continue;

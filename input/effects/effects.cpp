@@ -6,8 +6,8 @@
 
 #include "input/effects/active.hpp"
 #include "input/effects/effect_requirements.hpp"
+#include "input/effects/effects.hpp"
 #include "input/effects/user_effects.hpp"
-#include "input/model/problem_builder.hpp"
 #include "input/text/suggestions.hpp"
 #include "physics/user_effect_place.hpp"
 
@@ -51,7 +51,8 @@ void refuse_user_effect(TomlTable& table, const Effect& effect) {
 
 }  // namespace
 
-void read_effects(TomlTable& root, ProblemBuilder& builder) {
+bool read_effects(TomlTable& root, const EffectSurroundings& in, solver::Problem& problem) {
+    const bool has_mesh = problem.mesh.n_nodes > 0;
     TomlTable effects = root.subtable("effects");
     const std::size_t before = root.errors().count();
     report_unknown(effects);
@@ -63,41 +64,43 @@ void read_effects(TomlTable& root, ProblemBuilder& builder) {
             continue;
         }
         const bool named = table.exists();
-        const bool on = table.flag("on").value_or(named || (effect->on && (builder.has_tire || !effect->needs_tire)));
-        ActiveEffect active = read_active(table, *effect, builder);
+        const bool on = table.flag("on").value_or(named || (effect->on && (in.has_tire || !effect->needs_tire)));
+        ActiveEffect active = read_active(table, *effect, problem.mesh);
         if (on) {
             // What is on by itself is asked for by the tire; otherwise by its table.
             const SourceLocation asked = named ? table.place() : root.place("tire");
-            check_requirements(root, active, asked, table.has("patches"), builder);
-            if (builder.has_mesh) {
-                solver::switch_on(builder.problem, std::move(active), 0.0);
+            check_requirements(root, active, asked, table.has("patches"), in.has_tire, problem.mesh);
+            if (has_mesh) {
+                solver::switch_on(problem, std::move(active), 0.0);
             } else {
-                builder.problem.effects.push_back(std::move(active));
+                problem.effects.push_back(std::move(active));
             }
         }
     }
-    check_signals(root, builder);
-    builder.has_valid_effects = builder.has_mesh && root.errors().count() == before;
+    check_signals(root, in, problem);
+    return has_mesh && root.errors().count() == before;
 }
 
-void bind_readings(TomlTable& root, ProblemBuilder& builder) {
+void bind_readings(TomlTable& root, const std::vector<Camera>& cameras, solver::Problem& problem) {
     const TomlValue* effects = root.content().find("effects");
-    for (ActiveEffect& active : builder.problem.effects) {
+    for (ActiveEffect& active : problem.effects) {
         const TomlValue* node = effects != nullptr ? effects->find(active.effect->id) : nullptr;
         if (active.effect->sensor_model() != nullptr && node != nullptr && active.name.empty()) {
             TomlTable table(*node, fmt::format("[effects.{}]", active.effect->id), root.errors());
             table.allow_unknown_keys();  // its other keys have been read
-            bind_channels(table, builder, active);
+            bind_channels(table, cameras, problem, active);
         }
     }
-    if (builder.has_valid_effects && root.errors().count() == 0) {
-        check_weights(root, builder);
+}
+
+void check_effects(TomlTable& root, const GivenSignals& given, const std::vector<std::string>& followed,
+                   const solver::Problem& problem) {
+    if (root.errors().count() == 0) {
+        check_weights(root, problem);
     }
-    if (builder.has_valid_effects) {
-        warn_of_unread_signals(root, builder);
-        warn_of_doubles(root, builder);
-        warn_of_two_shares(root, builder);
-    }
+    warn_of_unread_signals(root, given, followed, problem);
+    warn_of_doubles(root, problem);
+    warn_of_two_shares(root, given, problem);
 }
 
 }  // namespace tiretherm::input

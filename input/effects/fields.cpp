@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "input/effects/effects.hpp"
 #include "input/effects/measured_loss.hpp"
-#include "input/model/problem_builder.hpp"
 #include "input/tables/field_file.hpp"
 #include "input/text/error_limiter.hpp"
 
@@ -128,8 +128,8 @@ void warn_of_idle_keys(const TomlTable& table, const ActiveEffect& active) {
 
 class FieldBinder {
 public:
-    FieldBinder(TomlTable& table, ProblemBuilder& builder, ActiveEffect& active)
-        : table_(table), builder_(builder), active_(active), errors_(table.errors()) {}
+    FieldBinder(TomlTable& table, solver::Problem& problem, ActiveEffect& active)
+        : table_(table), problem_(problem), active_(active), errors_(table.errors()) {}
 
     void bind() {
         const std::optional<std::string> name = table_.text("field");
@@ -137,7 +137,7 @@ public:
         if (!table_.has("field") && table_.has("use")) {
             table_.add_error("use", "use speaks of a field, and there is none", "add field = \"....h5\"");
         }
-        if (!name || !builder_.has_mesh) {
+        if (!name || problem_.mesh.n_nodes == 0) {
             return;
         }
         const std::size_t before = errors_.count();
@@ -145,7 +145,7 @@ public:
             warn_of_idle_keys(table_, active_);
         }
         check_rivals(table_, active_);
-        const mesh::Mesh& mesh = builder_.problem.mesh;
+        const mesh::Mesh& mesh = problem_.mesh;
         if (active_.effect->field() == FieldOf::loss && mesh.is_lumped()) {
             table_.add_error("field", "a field of the loss needs cells, and this mesh has two lumps",
                              "take layers or section");
@@ -182,12 +182,12 @@ private:
                 fmt::format("{} has {} frames; {} is the most", name, file.frames.size(), physics::most_frames),
                 "leave out frames: between two of them the field is taken along a straight line");
         }
-        return are_on(builder_.problem.mesh, patches(), file, name, errors_);
+        return are_on(problem_.mesh, patches(), file, name, errors_);
     }
 
     void take(const FieldFile& file, bool by_watts, const std::string& name) {
         auto field = std::make_shared<Field>();
-        std::vector<std::vector<double>> frames = transferred(builder_.problem.mesh, patches(), file, field->nodes);
+        std::vector<std::vector<double>> frames = transferred(problem_.mesh, patches(), file, field->nodes);
         if (file.against == FieldFile::Against::wheel_angle) {
             average(file, frames);
         }
@@ -206,8 +206,8 @@ private:
         if (frames.size() > 1) {
             std::vector<double> times;
             std::ranges::transform(file.frames, std::back_inserter(times), &FieldFrame::at);
-            builder_.problem.input_signals.add_sample_times(times);
-            const double start = builder_.problem.settings.start;
+            problem_.input_signals.add_sample_times(times);
+            const double start = problem_.settings.start;
             std::ranges::transform(times, std::back_inserter(field->time), [&](double t) { return t - start; });
             active_.effect = &physics::in_frames(*active_.effect);
         }
@@ -215,27 +215,30 @@ private:
     }
 
     TomlTable& table_;
-    ProblemBuilder& builder_;
+    solver::Problem& problem_;
     ActiveEffect& active_;
     InputErrors& errors_;
 };
 
 }  // namespace
 
-void read_fields(TomlTable& root, ProblemBuilder& builder) {
+std::vector<std::string> read_fields(TomlTable& root, const GivenSignals& given, solver::Problem& problem) {
+    std::vector<std::string> over;
     const TomlValue* effects = root.content().find("effects");
-    for (ActiveEffect& active : builder.problem.effects) {
+    for (ActiveEffect& active : problem.effects) {
         const TomlValue* node = effects != nullptr ? effects->find(active.effect->id) : nullptr;
         if (active.effect->field() == FieldOf::nothing || node == nullptr || node->kind != TomlValue::Kind::table) {
             continue;
         }
         TomlTable table(*node, fmt::format("[effects.{}]", active.effect->id), root.errors());
         table.allow_unknown_keys();  // its other keys have been read
-        FieldBinder(table, builder, active).bind();
+        FieldBinder(table, problem, active).bind();
         if (active.effect->field() == FieldOf::loss) {
-            read_measured_loss(table, builder, active);
+            std::ranges::move(read_measured_loss(table, problem.input_signals, given, active),
+                              std::back_inserter(over));
         }
     }
+    return over;
 }
 
 }  // namespace tiretherm::input

@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 using physics::MeasuredLoss;
 
 /// What is measured over must be among the inputs.
-void need(TomlTable& table, std::string_view key, const std::string& signal, ProblemBuilder& builder) {
-    builder.followed.push_back(signal);
+void need(TomlTable& table, std::string_view key, const std::string& signal, const solver::InputSignals& inputs,
+          const GivenSignals& given) {
     const physics::Signal& input = *physics::find_signal(signal);
-    if (!builder.problem.input_signals.gives(input) && !builder.given.contains(signal)) {
+    if (!inputs.gives(input) && !given.contains(signal)) {
         table.add_error(key, fmt::format("[drive] lacks {}, over which the loss was measured", signal),
                         fmt::format("add {} = {} to [drive]", signal, spell_example(quantity_specs::of(input))));
     }
@@ -49,7 +49,8 @@ void warn_beyond(const TomlTable& table, const physics::Signal& signal, const st
     }
 }
 
-std::optional<MeasuredLoss> read_table(TomlTable& table, const std::string& name, ProblemBuilder& builder) {
+std::optional<MeasuredLoss> read_table(TomlTable& table, const std::string& name, const solver::InputSignals& inputs,
+                                       const GivenSignals& given, std::vector<std::string>& over) {
     const SourceLocation mentioned = table.place("total");
     const fs::path beside = fs::path(table.errors().file(mentioned.file)).parent_path();
     std::optional<ResistanceFile> file =
@@ -68,8 +69,9 @@ std::optional<MeasuredLoss> read_table(TomlTable& table, const std::string& name
             }
             continue;
         }
-        need(table, "total", file->names[a], builder);
-        warn_beyond(table, *physics::find_signal(file->names[a]), at, builder.problem.input_signals);
+        over.push_back(file->names[a]);
+        need(table, "total", file->names[a], inputs, given);
+        warn_beyond(table, *physics::find_signal(file->names[a]), at, inputs);
     }
     loss.table = std::move(file->table);
     return loss;
@@ -85,7 +87,8 @@ double unit_of_fit(TomlTable& fit, std::string_view key, const QuantitySpec& spe
     return read.conversion.factor;
 }
 
-MeasuredLoss read_coastdown(TomlTable& table, ProblemBuilder& builder) {
+MeasuredLoss read_coastdown(TomlTable& table, const solver::InputSignals& inputs, const GivenSignals& given,
+                            std::vector<std::string>& over) {
     TomlTable fit = table.subtable("coastdown");
     const auto number = [&](std::string_view key, double low, double high) {
         return fit.quantity(key, {.unit = "1", .low = low, .high = high}, Need::required).value_or(0.0);
@@ -100,18 +103,21 @@ MeasuredLoss read_coastdown(TomlTable& table, ProblemBuilder& builder) {
     found.load_unit = unit_of_fit(fit, "load_unit", {.unit = "N"}, "N");
     found.speed_unit = unit_of_fit(fit, "speed_unit", {.unit = "m s-1"}, "km/h");
     found.force_unit = unit_of_fit(fit, "force_unit", {.unit = "N"}, "N");
-    need(table, "coastdown", "inflation_pressure", builder);
+    over.emplace_back("inflation_pressure");
+    need(table, "coastdown", over.back(), inputs, given);
     return {.coastdown = found, .table = {}};
 }
 
 }  // namespace
 
-void read_measured_loss(TomlTable& table, ProblemBuilder& builder, physics::ActiveEffect& active) {
+std::vector<std::string> read_measured_loss(TomlTable& table, const solver::InputSignals& inputs,
+                                            const GivenSignals& given, physics::ActiveEffect& active) {
+    std::vector<std::string> over;
     const std::size_t before = table.errors().count();
     const std::optional<std::string> total = table.text("total");
     const bool fitted = table.has("coastdown");
     if (!total && !fitted) {
-        return;
+        return over;
     }
     const std::string_view key = total ? "total" : "coastdown";
     if (total && fitted) {
@@ -124,7 +130,8 @@ void read_measured_loss(TomlTable& table, ProblemBuilder& builder, physics::Acti
     if (active.field && !active.field->watts.empty()) {
         table.add_error(key, "the field gives the watts already", "write use = \"shape\", or remove one of them");
     }
-    std::optional<MeasuredLoss> loss = total ? read_table(table, *total, builder) : read_coastdown(table, builder);
+    std::optional<MeasuredLoss> loss =
+        total ? read_table(table, *total, inputs, given, over) : read_coastdown(table, inputs, given, over);
     if (loss && table.errors().count() == before) {
         if (loss->bulk_temperatures.size() > 1 &&
             active.effect->n_coefficients() < active.effect->heat_effect()->frame_coefficients) {
@@ -132,6 +139,7 @@ void read_measured_loss(TomlTable& table, ProblemBuilder& builder, physics::Acti
         }
         active.total = std::make_shared<const MeasuredLoss>(std::move(*loss));
     }
+    return over;
 }
 
 }  // namespace tiretherm::input

@@ -3,7 +3,9 @@
 // SAE J2452.
 #pragma once
 
-#include "input/model/problem_builder.hpp"
+#include "input/measurements/driven_signals.hpp"
+#include "input/toml/toml_table.hpp"
+#include "solver/problem.hpp"
 
 /// The total of the strain-energy loss as a machine measured it:
 ///     [effects.strain_energy_loss]
@@ -12,7 +14,8 @@
 ///     coastdown = { alpha = -0.4, beta = 0.9, a = 0.1, b = 2e-5, c = 3e-7 }     # SAE J2452 in kPa, N, km/h
 namespace tiretherm::input {
 
-/// Reads one of them into the effect, where it is given.
-void read_measured_loss(TomlTable& table, ProblemBuilder& builder, physics::ActiveEffect& active);
+/// Reads one of them into the effect, where it is given. @returns inputs over which it was measured
+[[nodiscard]] std::vector<std::string> read_measured_loss(TomlTable& table, const solver::InputSignals& inputs,
+                                                          const GivenSignals& given, physics::ActiveEffect& active);
 
 }  // namespace tiretherm::input

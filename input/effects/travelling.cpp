@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/problem_builder.hpp"
+#include "input/effects/effects.hpp"
 #include "physics/contact/travelling.hpp"
 #include "solver/wheel_angle.hpp"
 
@@ -79,9 +79,8 @@ void warn_of_heat_spread_evenly(const solver::Problem& problem, const Mention& c
 
 }  // namespace
 
-void read_travelling(TomlTable& root, ProblemBuilder& builder) {
+void read_travelling(TomlTable& root, bool has_tire, solver::Problem& problem) {
     InputErrors& errors = root.errors();
-    solver::Problem& problem = builder.problem;
     std::optional<Mention> mention;
     const TomlValue* effects = root.content().find("effects");
     for (physics::ActiveEffect& active : problem.effects) {
@@ -96,7 +95,7 @@ void read_travelling(TomlTable& root, ProblemBuilder& builder) {
                    .place = key != nullptr     ? key->place
                             : table != nullptr ? table->place
                                                : root.place()};
-        if (builder.has_mesh && problem.mesh.is_lumped() && key != nullptr) {
+        if (problem.mesh.n_nodes > 0 && problem.mesh.is_lumped() && key != nullptr) {
             errors.add(mention->place, "two lumps do not see a contact go round", "take layers or section");
         }
         if (active.field) {
@@ -115,7 +114,7 @@ void read_travelling(TomlTable& root, ProblemBuilder& builder) {
                    "let it run with end, or take resolved_contact, whose revolutions are averaged");
         return;
     }
-    if (!builder.has_tire || !builder.has_mesh || problem.settings.end <= problem.settings.start) {
+    if (!has_tire || problem.mesh.n_nodes == 0 || problem.settings.end <= problem.settings.start) {
         return;
     }
     std::optional<solver::Series> angle = solver::wheel_angle(problem, most_points);

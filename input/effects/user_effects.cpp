@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "input/effects/effects.hpp"
 #include "input/effects/user_formula.hpp"
-#include "input/model/problem_builder.hpp"
+#include "input/effects/user_signals.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "physics/user_effect_place.hpp"
@@ -39,16 +40,16 @@ SourceLocation piece(const SourceLocation& text, const std::string& written, con
 }
 
 /// What a formula may refer to in this run.
-std::vector<std::string> known_signals(const ProblemBuilder& builder) {
+std::vector<std::string> known_signals(const EffectSurroundings& in) {
     std::vector<std::string> known;
     for (const physics::Signal& signal : physics::signals()) {
-        if (builder.given.contains(signal.name)) {
+        if (in.signals.given.contains(signal.name)) {
             known.emplace_back(signal.name);
         }
     }
     known.emplace_back("time");
-    if (builder.run) {
-        std::ranges::copy(builder.run->headings, std::back_inserter(known));
+    if (in.run != nullptr) {
+        std::ranges::copy(in.run->headings, std::back_inserter(known));
     }
     std::ranges::sort(known);
     known.erase(std::unique(known.begin(), known.end()), known.end());
@@ -56,39 +57,29 @@ std::vector<std::string> known_signals(const ProblemBuilder& builder) {
     return known;
 }
 
-const UserColumn* find_column(const ProblemBuilder& builder, std::string_view name) {
-    for (const std::vector<UserColumn>* columns :
-         {builder.run ? &builder.run->columns : &builder.columns, &builder.columns}) {
-        if (const auto found = std::ranges::find(*columns, name, &UserColumn::name); found != columns->end()) {
-            return &*found;
-        }
-    }
-    return nullptr;
-}
-
 /// Whether a signal can be followed. What is missing is an error; what could not be read has been reported.
-bool can_follow(const TomlTable& table, std::string_view key, const std::string& signal,
-                const ProblemBuilder& builder) {
+bool can_follow(const TomlTable& table, std::string_view key, const std::string& signal, const EffectSurroundings& in,
+                const solver::Problem& problem) {
     if (signal == "time") {
         return true;
     }
-    if (const UserColumn* column = find_column(builder, signal)) {
+    if (const UserColumn* column = find_column(in.signals.columns, signal)) {
         return !column->signal.time.empty();
     }
     if (const physics::Signal* input = physics::find_signal(signal);
-        input != nullptr && builder.given.contains(signal)) {
-        return builder.problem.input_signals.gives(*input);
+        input != nullptr && in.signals.given.contains(signal)) {
+        return problem.input_signals.gives(*input);
     }
-    if (builder.run && builder.run->unreadable) {
+    if (in.run != nullptr && in.run->unreadable) {
         return false;
     }
-    const std::string remedy = suggest(signal, known_signals(builder), "signals");
-    if (builder.run) {
+    const std::string remedy = suggest(signal, known_signals(in), "signals");
+    if (in.run != nullptr) {
         table.errors().add(
-            builder.run->place,
+            in.run->place,
             fmt::format("run {}: {} is missing (no column of its file is mapped to it and [drive] does not set it), "
                         "which {} at {} follows",
-                        builder.run->name, signal, table.title(), table.errors().spell(table.place(key))),
+                        in.run->name, signal, table.title(), table.errors().spell(table.place(key))),
             remedy);
     } else {
         table.add_error(key, fmt::format("[drive] gives no signal \"{}\"", signal), remedy);
@@ -98,27 +89,24 @@ bool can_follow(const TomlTable& table, std::string_view key, const std::string&
 
 /// The signal of a formula under a key.
 std::optional<solver::SignalHistory> read_signal_history(TomlTable& table, std::string_view key,
-                                                         const std::string& text, const ProblemBuilder& builder) {
+                                                         const std::string& text, const EffectSurroundings& in,
+                                                         const solver::Problem& problem) {
     Formula::Wrong wrong;
     const std::optional<Formula> formula =
-        find_column(builder, text) != nullptr ? Formula::of_signal(text) : Formula::read(text, key, wrong);
+        find_column(in.signals.columns, text) != nullptr ? Formula::of_signal(text) : Formula::read(text, key, wrong);
     if (!formula) {
         table.errors().add(piece(table.place(key), text, wrong), wrong.error);
         return std::nullopt;
     }
     bool known = true;
     for (const std::string& signal : formula->signals()) {
-        known = can_follow(table, key, signal, builder) && known;
+        known = can_follow(table, key, signal, in, problem) && known;
     }
     if (!known) {
         return std::nullopt;
     }
-    std::vector<UserColumn> columns = builder.columns;
-    if (builder.run) {
-        columns.insert(columns.begin(), builder.run->columns.begin(), builder.run->columns.end());
-    }
-    const solver::Settings& settings = builder.problem.settings;
-    FormulaSamples samples = signal_history_of(*formula, builder.problem.input_signals, columns, settings);
+    const solver::Settings& settings = problem.settings;
+    FormulaSamples samples = signal_history_of(*formula, problem.input_signals, in.signals.columns, settings);
     if (std::optional<ErrorText> error = formula_error(samples, settings)) {
         error->what = fmt::format("{} {}", key, error->what);
         table.errors().add(table.place(key), std::move(*error));
@@ -134,16 +122,17 @@ std::optional<solver::SignalHistory> read_signal_history(TomlTable& table, std::
 }
 
 /// The temperature of the surroundings: an input, a column or a constant. @returns false after an error
-bool read_surroundings(TomlTable& table, const ProblemBuilder& builder, solver::UserEffect& user_effect) {
+bool read_surroundings(TomlTable& table, const EffectSurroundings& in, const solver::Problem& problem,
+                       solver::UserEffect& user_effect) {
     user_effect.temperature = table.text("temperature").value_or(std::string(air));
     if (is_number(user_effect.temperature)) {
         const auto constant = table.quantity("temperature");
-        user_effect.surroundings = {{builder.problem.settings.start}, {constant.value_or(0.0)}};
+        user_effect.surroundings = {{problem.settings.start}, {constant.value_or(0.0)}};
         return constant.has_value();
     }
-    const auto history = read_signal_history(table, "temperature", user_effect.temperature, builder);
+    const auto history = read_signal_history(table, "temperature", user_effect.temperature, in, problem);
     const physics::Signal* input = physics::find_signal(user_effect.temperature);
-    const UserColumn* column = find_column(builder, user_effect.temperature);
+    const UserColumn* column = find_column(in.signals.columns, user_effect.temperature);
     // Spelled out: a choice between a text and a literal would be a text of its own, gone before it is looked at.
     std::string_view unit;
     if (input != nullptr) {
@@ -162,16 +151,16 @@ bool read_surroundings(TomlTable& table, const ProblemBuilder& builder, solver::
     return history.has_value();
 }
 
-void read_places(TomlTable& table, const ProblemBuilder& builder, solver::UserEffect& user_effect) {
+void read_places(TomlTable& table, const mesh::Mesh& mesh, solver::UserEffect& user_effect) {
     const std::vector<LocatedString> words = table.texts("at", Need::required);
     if (table.has("at") && words.empty()) {
         table.add_error("at", "at names no place", "write at = \"surface\"");
     }
     for (const LocatedString& word : words) {
         user_effect.places.push_back(word.text);
-        if (builder.has_mesh && physics::nodes_of_place(builder.problem.mesh, word.text).empty()) {
+        if (mesh.n_nodes > 0 && physics::nodes_of_place(mesh, word.text).empty()) {
             table.errors().add(word.place, fmt::format("the mesh has no place \"{}\"", word.text),
-                               suggest(word.text, physics::names_of_places(builder.problem.mesh), "places"));
+                               suggest(word.text, physics::names_of_places(mesh), "places"));
         }
     }
 }
@@ -188,14 +177,15 @@ std::string read_name(TomlTable& table, const std::vector<solver::UserEffect>& b
     return name;
 }
 
-void read_list(TomlTable& root, ProblemBuilder& builder, const UserEffectKind& kind,
-               std::vector<solver::UserEffect>& sound, std::vector<solver::UserEffect>& all) {
+void read_list(TomlTable& root, const EffectSurroundings& in, const solver::Problem& problem,
+               const UserEffectKind& kind, std::vector<solver::UserEffect>& sound,
+               std::vector<solver::UserEffect>& all) {
     root.each(kind.list, [&](TomlTable& table) {
         const std::size_t before = table.errors().count();
         solver::UserEffect user_effect;
         user_effect.exchange = kind.list == user_heat_transfer.list;
         user_effect.name = read_name(table, all);
-        read_places(table, builder, user_effect);
+        read_places(table, problem.mesh, user_effect);
         const physics::ParameterSpec& number = physics::find_effect(kind.effect)->parameters.front();
         user_effect.amount = table.quantity(kind.number, quantity_specs::of(number), Need::required).value_or(0.0);
         user_effect.follows =
@@ -203,13 +193,13 @@ void read_list(TomlTable& root, ProblemBuilder& builder, const UserEffectKind& k
         all.push_back(user_effect);
         const bool readable = table.has("follows") || user_effect.exchange;
         const auto history =
-            readable ? read_signal_history(table, "follows", user_effect.follows, builder) : std::nullopt;
-        const bool surrounded = !user_effect.exchange || read_surroundings(table, builder, user_effect);
-        if (!history || !surrounded || !builder.has_mesh || table.errors().count() != before) {
+            readable ? read_signal_history(table, "follows", user_effect.follows, in, problem) : std::nullopt;
+        const bool surrounded = !user_effect.exchange || read_surroundings(table, in, problem, user_effect);
+        if (!history || !surrounded || problem.mesh.n_nodes == 0 || table.errors().count() != before) {
             return;
         }
         user_effect.signal = *history;
-        for (const solver::UserEffectDefect& defect : solver::defects(builder.problem, user_effect)) {
+        for (const solver::UserEffectDefect& defect : solver::defects(problem, user_effect)) {
             table.errors().add(
                 table.place(), fmt::format("{}: {}", user_effect.name, defect.what),
                 defect.is_negative_signal
@@ -265,14 +255,14 @@ std::vector<std::string> user_effect_names(const TomlValue& document, std::strin
 }
 
 /// All signals are read before the first effect is on: its samples are no business of the others.
-void read_user_effects(TomlTable& root, ProblemBuilder& builder) {
+void read_user_effects(TomlTable& root, const EffectSurroundings& in, solver::Problem& problem) {
     std::vector<solver::UserEffect> sound;
     std::vector<solver::UserEffect> all;
     for (const UserEffectKind& kind : {user_heat_source, user_heat_transfer}) {
-        read_list(root, builder, kind, sound, all);
+        read_list(root, in, problem, kind, sound, all);
     }
     for (const solver::UserEffect& user_effect : sound) {
-        solver::add_user_effect(builder.problem, user_effect);
+        solver::add_user_effect(problem, user_effect);
     }
 }
 

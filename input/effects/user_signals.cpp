@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "input/drive/run_inputs.hpp"
 #include "input/effects/formula_sampling.hpp"
 #include "input/text/units.hpp"
 
@@ -113,11 +112,6 @@ std::vector<UserColumn> columns_of(const MeasuredRun& run) {
 }
 
 }  // namespace
-
-std::string base_unit(const std::optional<std::string>& unit) {
-    const std::string base = unit && !unit->empty() ? signature(*unit) : "1";
-    return base.empty() ? "1" : base;
-}
 
 FormulaSamples signal_history_of(const Formula& formula, const solver::InputSignals& input_signals,
                                  const std::vector<UserColumn>& columns, const solver::Settings& settings) {

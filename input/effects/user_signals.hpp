@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signals for user effects: file columns in SI base units, and the history of a formula over a run.
+// Signals for user effects: the history of a formula over a run.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,12 @@
 #include "input/effects/formula_sampling.hpp"
 #include "input/effects/user_formula.hpp"
 #include "input/measurements/experiment.hpp"
+#include "input/measurements/logged_signal.hpp"
 #include "solver/user_effect.hpp"
 
 /// What a user effect may follow: inputs, columns of a file, the time since the run's start, and formulas
 /// of these.
 namespace tiretherm::input {
-
-/// A column of a file that formulas may refer to, in SI base units: "37 %" is 0.37, "20 degC" is 293.15 K.
-struct UserColumn {
-    std::string name;
-    std::string unit;  ///< the base units, "1", "K", "Pa" as "kg.m-1.s-2"
-    solver::SignalHistory signal;
-    std::string beside{};  ///< of a signal of a car that says nothing: another column that may be it, and moves
-};
-
-/// The base units into which a column's own unit is turned; "1" where it has none or an unknown one.
-[[nodiscard]] std::string base_unit(const std::optional<std::string>& unit);
 
 /// What a formula makes of a run's signals. Its jumps and kinks are found exactly. Between them it has points at the
 /// samples of a log; where it follows schedules, constants or the time, as many as its integral takes.

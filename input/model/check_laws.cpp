@@ -6,7 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "input/model/problem_builder.hpp"
+#include "input/model/materials.hpp"
+#include "input/model/tire.hpp"
 
 namespace tiretherm::input {
 
@@ -25,18 +26,18 @@ struct Span {
     }
 };
 
-Span given_temperatures(const ProblemBuilder& builder) {
+Span given_temperatures(const solver::Problem& problem) {
     // A start that could not be read (the air of a file that is not there) is no temperature.
     constexpr double room = 293.15;
-    const auto known = std::ranges::find_if(builder.problem.initial, [](double T) { return T > 0.0; });
-    const double first = known == builder.problem.initial.end() ? room : *known;
+    const auto known = std::ranges::find_if(problem.initial, [](double T) { return T > 0.0; });
+    const double first = known == problem.initial.end() ? room : *known;
     Span span{first, first};
-    for (const double T : builder.problem.initial) {
+    for (const double T : problem.initial) {
         if (T > 0.0) {
             span.take(T);
         }
     }
-    const solver::InputSignals& input_signals = builder.problem.input_signals;
+    const solver::InputSignals& input_signals = problem.input_signals;
     for (const physics::Signal& signal : physics::signals()) {
         if (signal.unit == "K" && input_signals.gives(signal)) {
             if (const double T = input_signals.constants().*signal.member; T > 0.0) {
@@ -148,12 +149,12 @@ Seen look_at(const solver::Problem& problem) {
 
 }  // namespace
 
-void check_laws(TomlTable& root, const ProblemBuilder& builder) {
-    if (builder.problem.initial.empty()) {
+void check_laws(TomlTable& root, const solver::Problem& problem, const std::vector<Stock>& all) {
+    if (problem.initial.empty()) {
         return;
     }
-    const Span sure = given_temperatures(builder);
-    for (const Stock& stock : builder.stock) {
+    const Span sure = given_temperatures(problem);
+    for (const Stock& stock : all) {
         const physics::Material& material = stock.material;
         if (!stock.used) {
             root.errors().warn(stock.table->place,
@@ -174,39 +175,36 @@ void check_laws(TomlTable& root, const ProblemBuilder& builder) {
         check(material.along(mesh::Axis::circumference), "conductivity_circumference",
               "conductivity along the circumference");
         if (stock.ply) {
-            check_cord_rubber(*stock.ply, material.name, builder.problem.mesh, root.errors());
-            warn_of_second_anisotropy(root.errors(), builder.problem, stock);
+            check_cord_rubber(*stock.ply, material.name, problem.mesh, root.errors());
+            warn_of_second_anisotropy(root.errors(), problem, stock);
         }
     }
     const TomlValue* link = root.content().find("mesh")->find("link_conductivity");
-    if (link != nullptr && !builder.problem.link_laws.empty()) {
-        check_law(root.errors(), builder.problem.link_laws.front(), "the conductivity of the link", "W/mK", link->place,
-                  sure);
+    if (link != nullptr && !problem.link_laws.empty()) {
+        check_law(root.errors(), problem.link_laws.front(), "the conductivity of the link", "W/mK", link->place, sure);
     }
 }
 
-void settle_tire(TomlTable& root, ProblemBuilder& builder) {
+void settle_tire(TomlTable& root, bool has_tire, const GivenSignals& given, solver::Problem& problem) {
     InputErrors& errors = root.errors();
-    const auto gives = [&](std::string_view name) {
-        return builder.problem.input_signals.gives(*physics::find_signal(name));
-    };
+    const auto gives = [&](std::string_view name) { return problem.input_signals.gives(*physics::find_signal(name)); };
     if (gives("slip_ratio") && gives("slip_speed")) {
-        errors.add(builder.given.find("slip_speed")->second, "slip_ratio and slip_speed are both given",
+        errors.add(given.find("slip_speed")->second, "slip_ratio and slip_speed are both given",
                    "keep one: both are the slip along the heading");
     }
-    physics::Tire& tire = builder.problem.tire;
-    if (!builder.has_tire || !gives("inflation_pressure")) {
+    physics::Tire& tire = problem.tire;
+    if (!has_tire || !gives("inflation_pressure")) {
         tire.reference_pressure = 0.0;
     }
-    if (!builder.has_tire || errors.count() > 0) {  // of what is wrong no range is told
+    if (!has_tire || errors.count() > 0) {  // of what is wrong no range is told
         return;
     }
-    const Seen seen = look_at(builder.problem);
+    const Seen seen = look_at(problem);
     if (tire.reference_pressure > 0.0 && (seen.least_pressure < least_pressure * tire.reference_pressure ||
                                           seen.most_pressure > most_pressure * tire.reference_pressure)) {
         const bool low = seen.least_pressure < least_pressure * tire.reference_pressure;
         errors.warn(
-            builder.given.find("inflation_pressure")->second,
+            given.find("inflation_pressure")->second,
             fmt::format("the inflation pressure is {:.4g} kPa, and the tire's laws hold at {:.4g} kPa: how they "
                         "follow the pressure is known from {:.4g} to {:.4g} kPa",
                         1e-3 * (low ? seen.least_pressure : seen.most_pressure), 1e-3 * tire.reference_pressure,
@@ -214,8 +212,8 @@ void settle_tire(TomlTable& root, ProblemBuilder& builder) {
                         1e-3 * most_pressure * tire.reference_pressure));
     }
     if (seen.deflection > most_deflection * tire.section_height) {
-        const auto load = builder.given.find("vertical_load");
-        errors.warn(load != builder.given.end() ? load->second : root.place("drive"),
+        const auto load = given.find("vertical_load");
+        errors.warn(load != given.end() ? load->second : root.place("drive"),
                     fmt::format("{:.4g} N at {:.4g} s deflect the tire by {:.1f} mm, {:.0f} % of its section's height: "
                                 "the laws of the load know no more than {:.0f} %",
                                 seen.load, seen.time, 1e3 * seen.deflection,

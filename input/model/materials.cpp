@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "input/model/law.hpp"
-#include "input/model/problem_builder.hpp"
+#include "input/model/materials.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 
@@ -19,32 +19,31 @@ using physics::Curve;
 
 std::size_t index(mesh::Axis axis) { return static_cast<std::size_t>(axis); }
 
-std::vector<std::string> names_of_materials(const ProblemBuilder& builder) {
+std::vector<std::string> names_of_materials(const std::vector<Stock>& all) {
     std::vector<std::string> names;
-    for (const Stock& stock : builder.stock) {
+    for (const Stock& stock : all) {
         names.push_back(stock.material.name);
     }
     return names;
 }
 
-Stock* find(ProblemBuilder& builder, std::string_view name) {
-    const auto found =
-        std::ranges::find_if(builder.stock, [&](const Stock& stock) { return stock.material.name == name; });
-    return found == builder.stock.end() ? nullptr : &*found;
+Stock* find(std::vector<Stock>& all, std::string_view name) {
+    const auto found = std::ranges::find_if(all, [&](const Stock& stock) { return stock.material.name == name; });
+    return found == all.end() ? nullptr : &*found;
 }
 
 /// Plies of cords, when all materials are known: their rubber may stand behind them. Its name is checked even where the
 /// rest of the plies is wrong.
-void mix_with_rubber(Stock& stock, ProblemBuilder& builder, InputErrors& errors) {
+void mix_with_rubber(Stock& stock, std::vector<Stock>& all, InputErrors& errors) {
     const TomlValue* table = stock.table->find("cord_rubber");
     const TomlValue* name = table == nullptr ? nullptr : table->find("rubber");
     if (name == nullptr || name->kind != TomlValue::Kind::text) {
         return;
     }
-    const Stock* rubber = find(builder, name->text);
+    const Stock* rubber = find(all, name->text);
     if (rubber == nullptr) {
         errors.add(name->place, fmt::format("there is no material \"{}\"", name->text),
-                   suggest(name->text, names_of_materials(builder), "materials"));
+                   suggest(name->text, names_of_materials(all), "materials"));
     } else if (rubber->table->find("cord_rubber") != nullptr) {
         errors.add(name->place, fmt::format("\"{}\" is itself of cords and rubber", name->text),
                    "name the rubber between the cords");
@@ -55,7 +54,8 @@ void mix_with_rubber(Stock& stock, ProblemBuilder& builder, InputErrors& errors)
 
 }  // namespace
 
-void read_materials(TomlTable& root, ProblemBuilder& builder) {
+std::vector<Stock> read_materials(TomlTable& root) {
+    std::vector<Stock> all;
     root.each(
         "material",
         [&](TomlTable& table) {
@@ -80,38 +80,38 @@ void read_materials(TomlTable& root, ProblemBuilder& builder) {
                 read_law(table, "conductivity_circumference", quantity_specs::conductivity, Need::optional)
                     .value_or(through);
             stock.ply = read_cord_rubber(table);
-            const auto same = std::find_if(builder.stock.begin(), builder.stock.end(),
-                                           [&](const Stock& other) { return other.material.name == material.name; });
-            if (same != builder.stock.end() && !material.name.empty()) {
+            const Stock* same = find(all, material.name);
+            if (same != nullptr && !material.name.empty()) {
                 table.add_error("name",
                                 fmt::format("a second material is called \"{}\"; the first is at {}", material.name,
                                             table.errors().spell(same->table->place)),
                                 "rename or remove one");
                 return;
             }
-            builder.stock.push_back(std::move(stock));
+            all.push_back(std::move(stock));
         },
         Need::required);
-    for (Stock& stock : builder.stock) {
-        mix_with_rubber(stock, builder, root.errors());
+    for (Stock& stock : all) {
+        mix_with_rubber(stock, all, root.errors());
     }
+    return all;
 }
 
-const physics::Material* read_material(TomlTable& table, std::string_view key, ProblemBuilder& builder) {
+const Stock* read_material(TomlTable& table, std::string_view key, std::vector<Stock>& all) {
     const std::optional<std::string> name = table.text(key, Need::required);
     if (!name) {
         return nullptr;
     }
-    if (Stock* stock = find(builder, *name)) {
+    if (Stock* stock = find(all, *name)) {
         stock->used = true;
-        Stock* rubber = stock->ply ? find(builder, stock->ply->rubber) : nullptr;
+        Stock* rubber = stock->ply ? find(all, stock->ply->rubber) : nullptr;
         if (rubber != nullptr) {
             rubber->used = true;
         }
-        return &stock->material;
+        return stock;
     }
     table.add_error(key, fmt::format("there is no material \"{}\"", *name),
-                    suggest(*name, names_of_materials(builder), "materials"));
+                    suggest(*name, names_of_materials(all), "materials"));
     return nullptr;
 }
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/model/channel_value.hpp"
-#include "input/model/problem_builder.hpp"
+#include "input/model/sensors.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
@@ -69,33 +69,34 @@ void read_value(TomlTable& table, solver::Quantity reads, solver::Measured& meas
 
 }  // namespace
 
-void read_measured(TomlTable& root, ProblemBuilder& builder) {
-    const solver::Settings& settings = builder.problem.settings;
-    const double start = settings.start + (builder.run ? builder.run->lead : 0.0);  // before, nothing was measured
-    const std::vector<std::string> channels = names_of(builder.problem.channels);
+std::vector<solver::Measured> read_measured(TomlTable& root, const solver::Problem& problem, double from) {
+    const double end = problem.settings.end;
+    const std::vector<std::string> channels = names_of(problem.channels);
+    std::vector<solver::Measured> all;
     root.each("measured", [&](TomlTable& table) {
         solver::Measured measured;
         measured.channel = table.text("channel", Need::required).value_or("");
         const auto channel = std::find(channels.begin(), channels.end(), measured.channel);
         solver::Quantity reads = solver::Quantity::temperature;
         if (channel != channels.end()) {
-            reads = builder.problem.channels[static_cast<std::size_t>(channel - channels.begin())].quantity;
+            reads = problem.channels[static_cast<std::size_t>(channel - channels.begin())].quantity;
         } else if (table.has("channel")) {
             table.add_error("channel", fmt::format("there is no sensor \"{}\"", measured.channel),
                             suggest(measured.channel, channels, "sensors"));
             table.declare_keys({"value", "range", "uncertainty"});  // in the unit of nobody knows what
         }
         measured.source = table.text("source").value_or("");
-        measured.time = table.quantity("time").value_or(settings.end);
-        if (table.has("time") && (measured.time < start || measured.time > settings.end)) {
-            table.add_error("time", fmt::format("the run goes from {:.6g} s to {:.6g} s", start, settings.end),
+        measured.time = table.quantity("time").value_or(end);
+        if (table.has("time") && (measured.time < from || measured.time > end)) {
+            table.add_error("time", fmt::format("the run goes from {:.6g} s to {:.6g} s", from, end),
                             "choose a time within the run");
         }
         if (channel != channels.end() || !table.has("channel")) {
             read_value(table, reads, measured);
         }
-        builder.problem.measured.push_back(std::move(measured));
+        all.push_back(std::move(measured));
     });
+    return all;
 }
 
 }  // namespace tiretherm::input

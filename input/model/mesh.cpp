@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/model/law.hpp"
-#include "input/model/problem_builder.hpp"
+#include "input/model/mesh.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 struct MeshKind {
     std::string_view name;
-    bool (*read)(TomlTable& mesh, ProblemBuilder& builder);
+    bool (*read)(TomlTable& mesh, const MeshSource& from, MeshTable& into);
 };
 
 constexpr std::array mesh_kinds{MeshKind{"two_node", read_two_node}, MeshKind{"layers", read_layers},
@@ -29,58 +29,62 @@ constexpr std::array mesh_kinds{MeshKind{"two_node", read_two_node}, MeshKind{"l
 
 }  // namespace
 
-void read_mesh(TomlTable& root, ProblemBuilder& builder) {
+MeshTable read_mesh(TomlTable& root, const MeshSource& from) {
     TomlTable mesh = root.subtable("mesh");
-    builder.has_mesh = false;
+    MeshTable read;
     std::array<std::string_view, mesh_kinds.size()> names;
     std::transform(mesh_kinds.begin(), mesh_kinds.end(), names.begin(), [](const MeshKind& kind) { return kind.name; });
     const std::optional<std::size_t> kind = mesh.choice("kind", names);
     if (!kind) {
         mesh.allow_unknown_keys();
-        return;
+        return read;
     }
     const std::size_t before = mesh.errors().count();
-    builder.has_mesh = mesh_kinds[*kind].read(mesh, builder) && mesh.errors().count() == before;
+    if (!mesh_kinds[*kind].read(mesh, from, read) || mesh.errors().count() > before) {
+        read.mesh = {};
+    }
+    return read;
 }
 
-bool read_two_node(TomlTable& mesh, ProblemBuilder& builder) {
+bool read_two_node(TomlTable& mesh, const MeshSource& from, MeshTable& into) {
     const double surface_share = mesh.quantity("surface_mass_share").value_or(0.5);
     const double bulk_depth = mesh.quantity("bulk_depth").value_or(0.01);
-    const physics::Material* material = read_material(mesh, "material", builder);
+    const Stock* stock = read_material(mesh, "material", from.stock);
     const std::optional<physics::Curve> link =
         read_law(mesh, "link_conductivity", quantity_specs::conductivity, Need::optional);
-    if (!builder.has_tire) {
+    if (!from.tire.given) {
         mesh.add_error("kind", "two_node lumps the crown of a tire, and there is no tire",
                        "add [tire] with size = \"225/50 R17\"");
     }
-    if (material == nullptr || !builder.has_tire) {
+    if (stock == nullptr || !from.tire.given) {
         return false;
     }
-    physics::Tire& tire = builder.problem.tire;
-    if (builder.has_tire_density && std::abs(tire.density / material->density - 1.0) > 1e-9) {
+    const physics::Material& material = stock->material;
+    physics::Tire& tire = from.tire.tire;
+    if (from.tire.has_density && std::abs(tire.density / material.density - 1.0) > 1e-9) {
         mesh.add_error("material",
-                       fmt::format("{} has {} kg/m3, but [tire] density is {} kg/m3", material->name, material->density,
+                       fmt::format("{} has {} kg/m3, but [tire] density is {} kg/m3", material.name, material.density,
                                    tire.density),
                        "leave density out of [tire]: here it is the material's");
         return false;
     }
-    tire.density = material->density;
+    tire.density = material.density;
     const double volume = tire.band_mass() / tire.density;
-    builder.problem.mesh = build(mesh::TwoNode{.area = tire.outer_area(),
-                                               .surface_volume = volume * surface_share,
-                                               .bulk_volume = volume * (1.0 - surface_share),
-                                               .bulk_depth = bulk_depth});
-    builder.problem.materials = {*material, *material};
-    builder.problem.link_laws = {link.value_or(material->along(mesh::Axis::through))};
+    into.mesh = build(mesh::TwoNode{.area = tire.outer_area(),
+                                    .surface_volume = volume * surface_share,
+                                    .bulk_volume = volume * (1.0 - surface_share),
+                                    .bulk_depth = bulk_depth});
+    into.materials = {material, material};
+    into.link_laws = {link.value_or(material.along(mesh::Axis::through))};
     return true;
 }
 
-bool read_layers(TomlTable& mesh, ProblemBuilder& builder) {
+bool read_layers(TomlTable& mesh, const MeshSource& from, MeshTable& into) {
     mesh::Layers layers;
-    const bool needs_area = !builder.has_tire;
+    const bool needs_area = !from.tire.given;
     layers.area =
-        mesh.quantity("area", needs_area ? Need::required : Need::optional).value_or(builder.problem.tire.outer_area());
-    layers.stack = read_stack(mesh, builder);
+        mesh.quantity("area", needs_area ? Need::required : Need::optional).value_or(from.tire.tire.outer_area());
+    layers.stack = read_stack(mesh, from, into);
     const std::optional<std::string> below = mesh.text("link_below");
     const Need with_link = below ? Need::required : Need::optional;
     layers.link_length = mesh.quantity("link_length", with_link).value_or(0.0);
@@ -110,27 +114,27 @@ bool read_layers(TomlTable& mesh, ProblemBuilder& builder) {
         return false;
     }
     if (law) {
-        builder.problem.link_laws = {*law};
+        into.link_laws = {*law};
     }
-    builder.problem.mesh = build(layers);
+    into.mesh = build(layers);
     return true;
 }
 
 /// Layers with their true radii; with a tire its radius and its outer area are the standard ones.
-bool read_cylinder(TomlTable& mesh, ProblemBuilder& builder) {
-    const Need need = builder.has_tire ? Need::optional : Need::required;
+bool read_cylinder(TomlTable& mesh, const MeshSource& from, MeshTable& into) {
+    const Need need = from.tire.given ? Need::optional : Need::required;
     const std::optional<double> inner_radius = mesh.quantity("inner_radius", need);
     const std::optional<double> length = mesh.quantity("length", need);
     mesh::Cylinder cylinder;
-    cylinder.stack = read_stack(mesh, builder);
-    if (cylinder.stack.empty() || (!builder.has_tire && (!inner_radius || !length))) {
+    cylinder.stack = read_stack(mesh, from, into);
+    if (cylinder.stack.empty() || (!from.tire.given && (!inner_radius || !length))) {
         return false;
     }
     double thickness = 0.0;
     for (const mesh::Layer& layer : cylinder.stack) {
         thickness += layer.thickness;
     }
-    const physics::Tire& tire = builder.problem.tire;
+    const physics::Tire& tire = from.tire.tire;
     cylinder.inner_radius = inner_radius.value_or(tire.unloaded_radius - thickness);
     if (!(cylinder.inner_radius > 0.0)) {
         mesh.add_error("layer",
@@ -141,7 +145,7 @@ bool read_cylinder(TomlTable& mesh, ProblemBuilder& builder) {
     }
     cylinder.length =
         length.value_or(tire.outer_area() / (2.0 * std::numbers::pi * (cylinder.inner_radius + thickness)));
-    builder.problem.mesh = build(cylinder);
+    into.mesh = build(cylinder);
     return true;
 }
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/problem_builder.hpp"
+#include "input/model/mesh.hpp"
 #include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
@@ -61,7 +61,7 @@ double cells(const auto& parts) {
 
 }  // namespace
 
-std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
+std::vector<mesh::Layer> read_stack(TomlTable& mesh, const MeshSource& from, MeshTable& into,
                                     std::vector<std::vector<LocatedString>>* zones) {
     std::vector<mesh::Layer> stack;
     bool complete = true;
@@ -75,14 +75,12 @@ std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
             if (zones != nullptr) {
                 zones->push_back(table.texts("zones"));
             }
-            const physics::Material* material = read_material(table, "material", builder);
-            complete = complete && material != nullptr;
-            for (const Stock& stock : builder.stock) {
-                if (&stock.material == material && stock.ply && table.has("thickness")) {
-                    check_thickness(*stock.ply, layer.thickness, table);
-                }
+            const Stock* stock = read_material(table, "material", from.stock);
+            complete = complete && stock != nullptr;
+            if (stock != nullptr && stock->ply && table.has("thickness")) {
+                check_thickness(*stock->ply, layer.thickness, table);
             }
-            builder.problem.materials.push_back(material != nullptr ? *material : physics::Material{});
+            into.materials.push_back(stock != nullptr ? stock->material : physics::Material{});
             for (const mesh::Layer& other : stack) {
                 if (other.name == layer.name && !layer.name.empty()) {
                     table.add_error("name", fmt::format("a second layer is called \"{}\"", layer.name), "rename one");
@@ -91,34 +89,34 @@ std::vector<mesh::Layer> read_stack(TomlTable& mesh, ProblemBuilder& builder,
             stack.push_back(std::move(layer));
         },
         Need::required);
-    return complete && is_affordable(mesh, cells(stack), builder.limits) ? stack : std::vector<mesh::Layer>{};
+    return complete && is_affordable(mesh, cells(stack), from.limits) ? stack : std::vector<mesh::Layer>{};
 }
 
-bool read_block(TomlTable& mesh, ProblemBuilder& builder) {
+bool read_block(TomlTable& mesh, const MeshSource& from, MeshTable& into) {
     mesh::Block block;
     mesh.read_into(block);
     block.x = read_segments(mesh, "x", !block.quarter);
     block.y = read_segments(mesh, "y", !block.quarter);
-    block.stack = read_stack(mesh, builder);
+    block.stack = read_stack(mesh, from, into);
     if (block.x.empty() || block.y.empty() || block.stack.empty() ||
-        !is_affordable(mesh, cells(block.x) * cells(block.y) * cells(block.stack), builder.limits)) {
+        !is_affordable(mesh, cells(block.x) * cells(block.y) * cells(block.stack), from.limits)) {
         return false;
     }
-    builder.problem.symmetry = block.quarter ? 4.0 : 1.0;
-    builder.problem.mesh = build(block);
+    into.symmetry = block.quarter ? 4.0 : 1.0;
+    into.mesh = build(block);
     return true;
 }
 
-bool read_axisymmetric(TomlTable& mesh, ProblemBuilder& builder) {
+bool read_axisymmetric(TomlTable& mesh, const MeshSource& from, MeshTable& into) {
     mesh::Axisymmetric disc;
     mesh.read_into(disc);
     disc.radius = read_segments(mesh, "radius", false);
-    disc.stack = read_stack(mesh, builder);
+    disc.stack = read_stack(mesh, from, into);
     if (disc.radius.empty() || disc.stack.empty() ||
-        !is_affordable(mesh, cells(disc.radius) * cells(disc.stack), builder.limits)) {
+        !is_affordable(mesh, cells(disc.radius) * cells(disc.stack), from.limits)) {
         return false;
     }
-    builder.problem.mesh = build(disc);
+    into.mesh = build(disc);
     return true;
 }
 

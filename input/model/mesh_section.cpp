@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/problem_builder.hpp"
+#include "input/model/mesh.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "mesh/ring.hpp"
@@ -176,9 +176,9 @@ double cells_of(const mesh::Section& section) {
 
 }  // namespace
 
-bool read_section(TomlTable& mesh, ProblemBuilder& builder) {
-    const physics::Tire& tire = builder.problem.tire;
-    if (!builder.has_tire) {
+bool read_section(TomlTable& mesh, const MeshSource& from, MeshTable& into) {
+    const physics::Tire& tire = from.tire.tire;
+    if (!from.tire.given) {
         mesh.add_error("kind", "a section is that of a tire, and there is no tire",
                        "add [tire] with size = \"225/50 R17\"");
     }
@@ -198,14 +198,14 @@ bool read_section(TomlTable& mesh, ProblemBuilder& builder) {
     const int sectors = mesh.count("sectors").value_or(1);
     std::vector<std::vector<LocatedString>> zones;
     mesh::Section section;
-    section.layers = read_stack(mesh, builder, &zones);
+    section.layers = read_stack(mesh, from, into, &zones);
     if (stretches[crown].length <= 0.0) {
         mesh.add_error("shoulder_width",
                        fmt::format("two shoulders of {:.6g} mm leave no crown of a tread of {:.6g} mm", shoulder * 1e3,
                                    tread * 1e3));
     }
     const bool has_stacks = fill_stacks(mesh, zones, stretches);
-    if (stretches[crown].length <= 0.0 || section.layers.empty() || !builder.has_tire || !has_stacks) {
+    if (stretches[crown].length <= 0.0 || section.layers.empty() || !from.tire.given || !has_stacks) {
         return false;
     }
     section.meridian = profile(tire, crown_radius, stretches);
@@ -214,12 +214,12 @@ bool read_section(TomlTable& mesh, ProblemBuilder& builder) {
     }
     warn_of_other_sizes(mesh, section, stretches, tire);
     section.zones = zones_of(stretches);
-    if (!is_affordable(mesh, cells_of(section) * sectors, builder.limits)) {
+    if (!is_affordable(mesh, cells_of(section) * sectors, from.limits)) {
         return false;
     }
-    builder.problem.mesh = build(section);
+    into.mesh = build(section);
     if (sectors > 1) {
-        builder.problem.mesh = mesh::ring(builder.problem.mesh, sectors);
+        into.mesh = mesh::ring(into.mesh, sectors);
     }
     return true;
 }

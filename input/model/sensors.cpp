@@ -11,8 +11,7 @@
 
 #include "input/model/channel_value.hpp"
 #include "input/model/probes.hpp"
-#include "input/model/problem_builder.hpp"
-#include "input/model/sensor_kinds.hpp"
+#include "input/model/sensors.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
@@ -39,6 +38,15 @@ constexpr std::array kinds{
 };
 constexpr std::string_view strips = "strips";
 
+/// What sensors may refer to.
+struct SensorSurroundings {
+    const solver::Problem& problem;
+    bool has_tire = false;
+    const GivenSignals& given;
+    std::string property_file;                ///< that the case names, empty: none
+    std::vector<solver::Channel> channels{};  ///< of the sensors so far
+};
+
 /// The sum over the surface nodes of a patch, over its area.
 Where read_passage(TomlTable& sensor, solver::Channel channel, const mesh::Mesh& mesh) {
     const Where surface = read_patch(sensor, mesh);
@@ -61,36 +69,33 @@ Where read_passage(TomlTable& sensor, solver::Channel channel, const mesh::Mesh&
 
 /// A quantity that follows from inputs, from the heat lost by deformation or from a temperature that another sensor or a
 /// region gives.
-/// @param property_file that the case names, empty: none
-Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quantity, const ProblemBuilder& builder,
-                    const std::string& property_file) {
-    const mesh::Mesh& mesh = builder.problem.mesh;
+Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quantity, const SensorSurroundings& in) {
+    const mesh::Mesh& mesh = in.problem.mesh;
     solver::Channel channel{
         .name = {}, .meaning = std::string(quantity.meaning), .where = {}, .quantity = quantity.quantity};
-    if (quantity.needs_tire && !builder.has_tire) {
+    if (quantity.needs_tire && !in.has_tire) {
         sensor.add_error("kind", fmt::format("{} is that of a tire, and there is no tire", quantity.kind),
                          "add [tire]");
     }
     for (const std::string_view signal : quantity.signals) {
-        const bool is_given =
-            builder.given.contains(signal) || (signal == "slip_ratio" && builder.given.contains("slip_speed"));
+        const bool is_given = in.given.contains(signal) || (signal == "slip_ratio" && in.given.contains("slip_speed"));
         if (!is_given) {
             sensor.add_error("kind", fmt::format("{} follows {}, which [drive] lacks", quantity.kind, signal),
                              fmt::format("add {} to [drive]", signal));
         }
     }
-    if (quantity.needs_magic_formula && !builder.problem.handling.magic_formula) {
-        if (property_file.empty()) {
+    if (quantity.needs_magic_formula && !in.problem.handling.magic_formula) {
+        if (in.property_file.empty()) {
             sensor.add_error("kind", fmt::format("{} cannot be computed: the tire has no property file", quantity.kind),
                              "add property_file = \"....tir\" to [tire]");
         } else {
             sensor.add_error(
                 "kind", fmt::format("{} cannot be computed: the property file {} could not be used, see its errors",
-                                    quantity.kind, property_file));
+                                    quantity.kind, in.property_file));
         }
         return std::nullopt;
     }
-    if (!quantity.needs_effect.empty() && std::ranges::none_of(builder.problem.effects, [&](const auto& active) {
+    if (!quantity.needs_effect.empty() && std::ranges::none_of(in.problem.effects, [&](const auto& active) {
             return active.effect->id == quantity.needs_effect;
         })) {
         sensor.add_error("kind", fmt::format("{} follows {}, which is off", quantity.kind, quantity.needs_effect),
@@ -104,7 +109,7 @@ Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quanti
     }
     if (const std::optional<std::string> of = sensor.text("temperature_of")) {
         std::vector<solver::Channel> channels;
-        std::ranges::copy_if(builder.problem.channels, std::back_inserter(channels),
+        std::ranges::copy_if(in.channels, std::back_inserter(channels),
                              [](const auto& c) { return c.quantity == solver::Quantity::temperature; });
         const auto found = std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == *of; });
         if (found == channels.end()) {
@@ -136,17 +141,16 @@ solver::Quantity quantity_of(std::string_view kind) {
 }
 
 /// The channels of a sensor, without their names: one, or of strips several. Empty after an error.
-std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kind, const ProblemBuilder& builder,
-                                         const std::string& property_file) {
+std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kind, const SensorSurroundings& in) {
     if (kind == strips) {
-        return read_strips(sensor, builder.problem.mesh);
+        return read_strips(sensor, in.problem.mesh);
     }
     const auto place = std::ranges::find(kinds, kind, &Kind::name);
     const Where where =
         place != kinds.end()
-            ? place->read(sensor, builder.problem.mesh)
+            ? place->read(sensor, in.problem.mesh)
             : read_quantity(sensor, *std::ranges::find(solver::quantities(), kind, &solver::QuantityDescription::kind),
-                            builder, property_file);
+                            in);
     return where ? std::vector{*where} : std::vector<solver::Channel>{};
 }
 
@@ -183,8 +187,7 @@ std::string described(const std::optional<std::string>& meaning, const std::stri
 
 /// Adds the channels under their names, which nobody else may have.
 void add_channels(const TomlTable& sensor, const std::string& name, std::vector<solver::Channel> found,
-                  ProblemBuilder& builder) {
-    std::vector<solver::Channel>& channels = builder.problem.channels;
+                  std::vector<solver::Channel>& channels) {
     for (std::size_t i = 0; i < found.size(); ++i) {
         found[i].name = numbered(name, i, found.size());
         const bool taken = std::any_of(channels.begin(), channels.end(),
@@ -241,12 +244,14 @@ std::vector<std::string> sensor_names(const TomlValue& document) {
     return names;
 }
 
-void read_sensors(TomlTable& root, ProblemBuilder& builder) {
+std::vector<solver::Channel> read_sensors(TomlTable& root, const solver::Problem& problem, bool has_tire,
+                                          const GivenSignals& given) {
     std::vector<std::string_view> names;
     std::ranges::transform(sensor_kinds(), std::back_inserter(names), &SensorKind::name);
     const TomlValue* tire = root.content().find("tire");
     const TomlValue* named = tire != nullptr ? tire->find("property_file") : nullptr;
-    const std::string property_file = named != nullptr ? named->text : "";
+    SensorSurroundings in{
+        .problem = problem, .has_tire = has_tire, .given = given, .property_file = named != nullptr ? named->text : ""};
     root.each("sensor", [&](TomlTable& sensor) {
         const std::optional<std::string> name = sensor.name("name", Need::required);
         const std::optional<std::string> meaning = sensor.text("meaning");
@@ -261,9 +266,9 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
             sensor.declare_keys({"standard_deviation"});  // in the unit of nobody knows what
         }
         std::vector<solver::Channel> found;
-        if (kind && builder.has_mesh) {
-            found = read_places(sensor, names[*kind], builder, property_file);
-            read_angle(sensor, builder.problem.mesh, found);
+        if (kind && problem.mesh.n_nodes > 0) {
+            found = read_places(sensor, names[*kind], in);
+            read_angle(sensor, problem.mesh, found);
         } else {
             for (const std::string_view key : {"depth", "x", "y", "radius", "from", "to", "angle"}) {
                 sensor.quantity(key, quantity_specs::coordinate, Need::optional);
@@ -278,11 +283,12 @@ void read_sensors(TomlTable& root, ProblemBuilder& builder) {
                 channel.meaning = described(meaning, channel.meaning, found.size() == 1);
             }
         }
-        add_channels(sensor, name.value_or(""), std::move(found), builder);
+        add_channels(sensor, name.value_or(""), std::move(found), in.channels);
     });
-    if (builder.problem.channels.empty() && !root.has("camera")) {
+    if (in.channels.empty() && !root.has("camera")) {
         root.errors().warn(root.place(), "the case has no [[sensor]]: no channels are written");
     }
+    return std::move(in.channels);
 }
 
 }  // namespace tiretherm::input

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/model/law.hpp"
-#include "input/model/problem_builder.hpp"
+#include "input/model/tire.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/word_lists.hpp"
 #include "input/tire_property_file/tir_file.hpp"
@@ -99,14 +99,13 @@ void check(const TomlTable& tire, const Tire& read, double nominal_radius) {
 
 }  // namespace
 
-void read_tire(TomlTable& root, ProblemBuilder& builder) {
+TireTable read_tire(TomlTable& root) {
     TomlTable tire = root.subtable("tire");
-    builder.has_tire = tire.exists();
-    builder.has_tire_density = tire.has("density");
-    if (!tire.exists()) {
-        return;
+    TireTable read{.given = tire.exists(), .has_density = tire.has("density")};
+    if (!read.given) {
+        return read;
     }
-    Tire& into = builder.problem.tire;
+    Tire& into = read.tire;
     const std::size_t before = tire.errors().count();
     read_size(tire, into);
     const double nominal_radius = into.unloaded_radius;
@@ -115,8 +114,8 @@ void read_tire(TomlTable& root, ProblemBuilder& builder) {
     if (!tire.has("loaded_radius_at_zero")) {
         into.loaded_radius_at_zero = into.unloaded_radius;
     }
-    read_modulus(tire, builder.problem.handling);
-    read_property_file(tire, builder.problem.handling);
+    read_modulus(tire, read.handling);
+    read_property_file(tire, read.handling);
     std::vector<std::string> borrowed;
     for (const Law& law : laws) {
         into.*law.member = read_curve(tire, law.table, quantity_specs::load, law.value);
@@ -125,7 +124,7 @@ void read_tire(TomlTable& root, ProblemBuilder& builder) {
         }
     }
     if (tire.errors().count() > before) {
-        return;
+        return read;
     }
     check(tire, into, nominal_radius);
     const bool thesis_size = into.name.starts_with("225/50 R17") || into.name.starts_with("225/50R17");
@@ -135,6 +134,7 @@ void read_tire(TomlTable& root, ProblemBuilder& builder) {
                                        into.name + (borrowed.size() > 1 ? " are" : " is"),
                                        borrowed.size() > 1 ? "its own laws" : "its own law"));
     }
+    return read;
 }
 
 }  // namespace tiretherm::input

@@ -12,7 +12,6 @@
 
 #include "input/effects/user_effects.hpp"
 #include "input/parameters/parameter_groups.hpp"
-#include "input/parameters/resolve.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
@@ -65,14 +64,14 @@ void read_expected(TomlTable& table, FreeParameters& freed) {
 }
 
 /// What is known of the numbers beforehand, and how far they may go.
-void read_prior(TomlTable& table, const ProblemBuilder& builder, const std::vector<RunOfParameter>& runs,
+void read_prior(TomlTable& table, const solver::Problem& of_first, const std::vector<RunOfParameter>& runs,
                 FreeParameters& freed) {
     const QuantitySpec deviation{.unit = freed.spec.unit, .scale = Scale::difference, .low = 0.0, .above = true};
     const auto sigma = table.quantity("standard_deviation", deviation);
     const std::size_t before = table.errors().count();
     std::vector<double> now;
     for (FreeParameter& number : freed.numbers) {
-        const solver::Problem& problem = number.runs.empty() ? builder.problem : *runs[number.runs.front()].problem;
+        const solver::Problem& problem = number.runs.empty() ? of_first : *runs[number.runs.front()].problem;
         now.push_back(solver::value_of(problem, number));
         number.prior = now.back();
     }
@@ -141,13 +140,13 @@ bool same(const FreeParameter& a, const FreeParameter& b) {
 }
 
 /// Whether a number is free everywhere and again at a place that has no value of its own.
-bool follows(const ProblemBuilder& builder, const FreeParameter& everywhere, const FreeParameter& here) {
+bool follows(const solver::Problem& problem, const FreeParameter& everywhere, const FreeParameter& here) {
     if (everywhere.kind != FreeParameter::Kind::effect || here.kind != FreeParameter::Kind::effect ||
         everywhere.effect != here.effect || everywhere.parameter != here.parameter || !everywhere.everywhere ||
         here.everywhere) {
         return false;
     }
-    const auto& own = builder.problem.effects[here.effect].overrides;
+    const auto& own = problem.effects[here.effect].overrides;
     return std::none_of(own.begin(), own.end(), [&](const auto& value) {
         return value.scope == here.scope && value.index == here.place && value.parameter == here.parameter;
     });
@@ -155,7 +154,7 @@ bool follows(const ProblemBuilder& builder, const FreeParameter& everywhere, con
 
 /// Adds the numbers of an entry, unless one of them is free already.
 /// @param places of the entries that freed those before
-void add(const TomlTable& table, const ProblemBuilder& builder, const FreeParameters& freed,
+void add(const TomlTable& table, const solver::Problem& problem, const FreeParameters& freed,
          std::vector<SourceLocation>& places, std::vector<FreeParameter>& into) {
     const std::size_t before = into.size();
     const auto refuse = [&](std::string what, std::string remedy) {
@@ -173,10 +172,10 @@ void add(const TomlTable& table, const ProblemBuilder& builder, const FreeParame
                        is_law(number) ? "name all temperatures of a law in one [[parameter]]" : "remove one");
                 return;
             }
-            const bool general = follows(builder, number, other);
-            if (general || follows(builder, other, number)) {
+            const bool general = follows(problem, number, other);
+            if (general || follows(problem, other, number)) {
                 const FreeParameter& here = general ? other : number;
-                const physics::ActiveEffect& active = builder.problem.effects[here.effect];
+                const physics::ActiveEffect& active = problem.effects[here.effect];
                 refuse(
                     fmt::format("{} follows {}: both are free{}", here.name, general ? number.name : other.name, where),
                     fmt::format("give the place a value of its own, {}{} in [effects.{}], or free one of them",
@@ -312,11 +311,8 @@ std::vector<ParameterPath> read_paths(TomlTable& table, std::string_view subject
 
 }  // namespace
 
-void read_parameters(TomlTable& root, const ProblemBuilder& builder, bool measured,
-                     const std::vector<RunOfParameter>& runs, std::vector<FreeParameter>& into) {
-    const std::vector<std::string> run_names = measured ? names_of(runs) : std::vector<std::string>{};
-    const CaseAsRead in{
-        .builder = builder, .document = root.content(), .run_names = run_names, .errors = root.errors()};
+void read_parameters(TomlTable& root, const CaseAsRead& in, const std::vector<RunOfParameter>& runs,
+                     std::vector<FreeParameter>& into) {
     std::vector<SourceLocation> places;
     root.each("parameter", [&](TomlTable& table) {
         table.declare_keys({"expected", "standard_deviation", "low", "high", "each"});
@@ -338,11 +334,11 @@ void read_parameters(TomlTable& root, const ProblemBuilder& builder, bool measur
             std::ranges::move(found->numbers, std::back_inserter(freed.numbers));
         }
         if (!freed.numbers.empty()) {
-            if (!give_each_group_its_own(table, builder.problem, runs, freed.numbers)) {
+            if (!give_each_group_its_own(table, in.problem, runs, freed.numbers)) {
                 return;
             }
-            read_prior(table, builder, runs, freed);
-            add(table, builder, freed, places, into);
+            read_prior(table, in.problem, runs, freed);
+            add(table, in.problem, freed, places, into);
         }
     });
 }

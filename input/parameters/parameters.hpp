@@ -7,18 +7,16 @@
 
 #include "input/columns/column_kinds.hpp"
 #include "input/measurements/experiment.hpp"
-#include "input/model/problem_builder.hpp"
 #include "input/parameters/parameter_groups.hpp"
+#include "input/parameters/resolve.hpp"
 
 namespace tiretherm::input {
 
 /// The list [[parameter]]: the numbers of the case that may be fitted, what is known of them and their bounds. Needs
 /// a case that has been read; what is missing from one with errors is not reported a second time.
-/// @param measured whether the runs were measured: an initial temperature is then another number in each of them, otherwise one
-///        that belongs to all
 /// @param runs in their order
-void read_parameters(TomlTable& root, const ProblemBuilder& builder, bool measured,
-                     const std::vector<RunOfParameter>& runs, std::vector<solver::FreeParameter>& into);
+void read_parameters(TomlTable& root, const CaseAsRead& in, const std::vector<RunOfParameter>& runs,
+                     std::vector<solver::FreeParameter>& into);
 
 /// The table [identify]: how the noise is modelled.
 void read_identify(TomlTable& root, Experiment& into);

@@ -35,14 +35,14 @@ std::vector<int> nodes_of(const mesh::Mesh& mesh, const std::string& word) {
 
 std::optional<FreeParameters> resolve_initial(const ParameterPath& path, const CaseAsRead& in) {
     const LocatedString& word = path.keys.back();
-    if (in.builder.problem.settings.steady) {
+    if (in.problem.settings.steady) {
         in.errors.add(word.place, "a steady state does not follow from where it starts", "remove this [[parameter]]");
         return std::nullopt;
     }
-    if (!in.builder.has_mesh) {
+    if (in.problem.mesh.n_nodes == 0) {
         return std::nullopt;
     }
-    const mesh::Mesh& mesh = in.builder.problem.mesh;
+    const mesh::Mesh& mesh = in.problem.mesh;
     std::vector<std::string> known{"temperature"};
     known.insert(known.end(), mesh.layers.begin(), mesh.layers.end());
     std::ranges::copy(names_of(mesh.lumped_nodes), std::back_inserter(known));

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "input/model/problem_builder.hpp"
+#include "input/cameras/camera.hpp"
+#include "input/model/materials.hpp"
 #include "input/parameters/parameter_path.hpp"
 
 namespace tiretherm::input {
@@ -29,7 +30,9 @@ struct Knots {
 
 /// A case that has been read, with whatever was wrong with it.
 struct CaseAsRead {
-    const ProblemBuilder& builder;
+    const solver::Problem& problem;  ///< without nodes where the mesh could not be read
+    const std::vector<Stock>& stock;
+    const std::vector<Camera>& cameras;
     const TomlValue& document;
     const std::vector<std::string>& run_names;  ///< of measured runs, in their order
     InputErrors& errors;

@@ -141,17 +141,17 @@ bool resolve_place(const CaseAsRead& in, Scope scope, const LocatedString& place
                       fmt::format("leave {} out: the value is free everywhere", words.key));
         return false;
     }
-    if (!in.builder.has_mesh) {
+    if (in.problem.mesh.n_nodes == 0) {
         return false;
     }
-    const std::vector<Camera>& cameras = in.builder.cameras;
+    const std::vector<Camera>& cameras = in.cameras;
     const auto camera = std::ranges::find(cameras, name, &Camera::name);
     if (scope == Scope::channel && camera != cameras.end()) {
         return resolve_camera_place(in, place, *camera, active, number);
     }
-    std::vector<std::string> known = place_names(in.builder.problem, scope);
+    std::vector<std::string> known = place_names(in.problem, scope);
     if (scope == Scope::channel) {
-        known.resize(in.builder.problem.n_sensors());
+        known.resize(in.problem.n_sensors());
     }
     const auto found = std::ranges::find(known, name);
     if (found == known.end()) {
@@ -178,7 +178,7 @@ bool resolve_place(const CaseAsRead& in, Scope scope, const LocatedString& place
 /// A number of an effect that is on, everywhere or at the place that its key names.
 std::optional<FreeParameters> free_number(const CaseAsRead& in, std::size_t effect, std::size_t parameter,
                                           const NumberKey& key) {
-    const ActiveEffect& active = in.builder.problem.effects[effect];
+    const ActiveEffect& active = in.problem.effects[effect];
     const physics::ParameterSpec& found = active.effect->parameters[parameter];
     solver::FreeParameter number;
     number.name = fmt::format("{}.{}", active.title(), found.key);
@@ -214,8 +214,8 @@ void report_unknown_effect(const CaseAsRead& in, const LocatedString& id) {
 /// An effect on layers that is switched on without naming them leaves the outermost one out: a number that is to move all of them
 /// would then move some.
 std::string with_layers(const Effect& effect, const CaseAsRead& in) {
-    const std::vector<std::string>& layers = in.builder.problem.mesh.layers;
-    if (!effect.on_layers || !in.builder.has_mesh || layers.size() < 2) {
+    const std::vector<std::string>& layers = in.problem.mesh.layers;
+    if (!effect.on_layers || in.problem.mesh.n_nodes == 0 || layers.size() < 2) {
         return {};
     }
     return fmt::format(
@@ -237,7 +237,7 @@ std::optional<FreeParameters> resolve_effect(const ParameterPath& path, const Ca
     }
     const NumberKey key = number_key(path);
     const std::optional<std::size_t> number = find_number(in, *effect, key);
-    const std::vector<ActiveEffect>& on = in.builder.problem.effects;
+    const std::vector<ActiveEffect>& on = in.problem.effects;
     // By its name: an effect that follows a field in frames has a description of its own.
     const auto active = std::ranges::find_if(on, [&](const ActiveEffect& one) { return one.effect->id == effect->id; });
     if (active == on.end()) {
@@ -278,20 +278,19 @@ std::optional<FreeParameters> resolve_user_effect(const ParameterPath& path, con
                       fmt::format("its number is {}", kind.number));
         return std::nullopt;
     }
-    const std::size_t index = solver::find_user_effect(in.builder.problem, name.text);
-    if (index == in.builder.problem.effects.size()) {
+    const std::size_t index = solver::find_user_effect(in.problem, name.text);
+    if (index == in.problem.effects.size()) {
         return std::nullopt;  // it has been reported
     }
     return free_number(in, index, 0, key);
 }
 
 std::optional<FreeParameters> resolve_camera(const ParameterPath& path, const CaseAsRead& in) {
-    const ProblemBuilder& builder = in.builder;
     const LocatedString& name = path.keys[1];
-    if (std::ranges::find(builder.cameras, name.text, &Camera::name) == builder.cameras.end()) {
-        in.errors.add(name.place, fmt::format("there is no camera \"{}\"", name.text),
-                      builder.cameras.empty() ? "add [[camera]] with this name"
-                                              : suggest(name.text, names_of(builder.cameras), "cameras"));
+    if (std::ranges::find(in.cameras, name.text, &Camera::name) == in.cameras.end()) {
+        in.errors.add(
+            name.place, fmt::format("there is no camera \"{}\"", name.text),
+            in.cameras.empty() ? "add [[camera]] with this name" : suggest(name.text, names_of(in.cameras), "cameras"));
         return std::nullopt;
     }
     if (!has_shape(path, in)) {
@@ -300,8 +299,8 @@ std::optional<FreeParameters> resolve_camera(const ParameterPath& path, const Ca
     // A camera's numbers are those of the effects that carry its name.
     const NumberKey key = number_key(path);
     std::vector<std::string> known;
-    for (std::size_t e = 0; e < builder.problem.effects.size(); ++e) {
-        const ActiveEffect& active = builder.problem.effects[e];
+    for (std::size_t e = 0; e < in.problem.effects.size(); ++e) {
+        const ActiveEffect& active = in.problem.effects[e];
         if (active.name != name.text || active.effect->sensor_model() == nullptr) {
             continue;
         }
@@ -317,7 +316,7 @@ std::optional<FreeParameters> resolve_camera(const ParameterPath& path, const Ca
         }
     }
     const bool is_grey = key.key == "emissivity" || key.key == "reflected_temperature";
-    if (!builder.has_mesh || key.key.empty() || (is_grey && path.find(in.document) != nullptr)) {
+    if (in.problem.mesh.n_nodes == 0 || key.key.empty() || (is_grey && path.find(in.document) != nullptr)) {
         return std::nullopt;
     }
     if (is_grey) {

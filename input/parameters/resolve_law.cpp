@@ -24,7 +24,7 @@ constexpr double widest = 100.0;
 std::optional<FreeParameters> free_values(const CaseAsRead& in, const Knots& knots, const FreeParameter& blank,
                                           const QuantitySpec& spec) {
     FreeParameters freed{.numbers = {}, .spec = spec};
-    const physics::Curve* law = solver::law_of(in.builder.problem, blank);
+    const physics::Curve* law = solver::law_of(in.problem, blank);
     freed.spec.usual_low = -std::numeric_limits<double>::infinity();  // of a law; a bound may be anywhere
     freed.spec.usual_high = std::numeric_limits<double>::infinity();
     if (law == nullptr || knots.kelvin.empty()) {
@@ -66,8 +66,8 @@ std::optional<FreeParameters> free_values(const CaseAsRead& in, const Knots& kno
 std::vector<int> layers_of(const CaseAsRead& in, const LocatedString& material) {
     std::vector<int> layers;
     std::vector<std::string> used;
-    for (std::size_t i = 0; i < in.builder.problem.materials.size(); ++i) {
-        const std::string& name = in.builder.problem.materials[i].name;
+    for (std::size_t i = 0; i < in.problem.materials.size(); ++i) {
+        const std::string& name = in.problem.materials[i].name;
         if (name == material.text) {
             layers.push_back(static_cast<int>(i));
         }
@@ -76,14 +76,14 @@ std::vector<int> layers_of(const CaseAsRead& in, const LocatedString& material) 
         }
     }
     std::vector<std::string> known;
-    for (const Stock& stock : in.builder.stock) {
+    for (const Stock& stock : in.stock) {
         known.push_back(stock.material.name);
     }
     const bool exists = std::ranges::find(known, material.text) != known.end();
     if (layers.empty() && !exists) {
         in.errors.add(material.place, fmt::format("there is no material \"{}\"", material.text),
                       suggest(material.text, known, "materials"));
-    } else if (layers.empty() && in.builder.has_mesh) {
+    } else if (layers.empty() && in.problem.mesh.n_nodes > 0) {
         in.errors.add(material.place, fmt::format("no layer is made of \"{}\"", material.text),
                       fmt::format("the layers are made of {}", listed(used)));
     }
@@ -121,7 +121,7 @@ namespace {
 /// What follows from cords and rubber is not free by itself, and would not follow a rubber that a fit changes.
 /// @returns false after an error
 bool may_be_free(const CaseAsRead& in, const LocatedString& name, const LocatedString& law) {
-    for (const Stock& stock : in.builder.stock) {
+    for (const Stock& stock : in.stock) {
         if (!stock.ply) {
             continue;
         }
@@ -152,7 +152,7 @@ std::optional<FreeParameters> resolve_material(const ParameterPath& path, const 
     FreeParameter blank;
     blank.name = fmt::format("{}.{}", name.text, law.text);
     blank.layers = layers_of(in, name);
-    if (law.text == "conductivity" && in.builder.problem.mesh.is_lumped()) {
+    if (law.text == "conductivity" && in.problem.mesh.n_nodes > 0 && in.problem.mesh.is_lumped()) {
         in.errors.add(law.place, "two lumps conduct only through their link", "free that: link = \"conductivity\"");
         return std::nullopt;
     }
@@ -168,7 +168,7 @@ std::optional<FreeParameters> resolve_material(const ParameterPath& path, const 
 }
 
 std::optional<FreeParameters> resolve_link(const ParameterPath& path, const CaseAsRead& in, const Knots& knots) {
-    if (in.builder.has_mesh && in.builder.problem.link_laws.empty()) {
+    if (in.problem.mesh.n_nodes > 0 && in.problem.link_laws.empty()) {
         in.errors.add(path.keys.back().place, "the mesh has no link",
                       "free a material: material = \"...\", law = \"conductivity\"");
     }

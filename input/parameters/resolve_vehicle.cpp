@@ -35,7 +35,7 @@ std::string owner_of(const TomlValue& document, const std::string& key) {
 /// Formulas of the case take the inputs as they are: they would not see the car change.
 void refuse_followers(const CaseAsRead& in, const LocatedString& key) {
     const std::vector<std::string> followed = followed_names(in.document);
-    for (const physics::Signal* signal : in.builder.problem.input_model->signals()) {
+    for (const physics::Signal* signal : in.problem.input_model->signals()) {
         // The tire's speed is the car's, but for the half of a track in a turn.
         const bool follows_it = signal->name != "speed" || key.text.ends_with("track");
         if (follows_it && std::ranges::find(followed, signal->name) != followed.end()) {
@@ -68,11 +68,11 @@ std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const C
         return std::nullopt;
     }
     const auto index = static_cast<std::size_t>(found - known.begin());
-    if (in.builder.problem.input_numbers.empty()) {
+    if (in.problem.input_numbers.empty()) {
         return std::nullopt;  // the log or the table is wrong, which has been reported
     }
     const QuantitySpec& spec = keys_of_table("vehicle")->find(key.text)->spec;
-    const double value = in.builder.problem.input_numbers[index];
+    const double value = in.problem.input_numbers[index];
     if (std::isnan(value) || path.find(in.document) == nullptr) {
         in.errors.add(key.place, fmt::format("[vehicle] does not give {}", key.text),
                       fmt::format("add {} to it: there the search begins", key.text));
@@ -96,7 +96,7 @@ std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const C
         number.high = 1.0 - least_share;
     }
     if (index == static_cast<std::size_t>(VehicleNumber::centre_of_gravity_behind_front_axle)) {
-        const VehicleNumbers all(in.builder.problem.input_numbers);
+        const VehicleNumbers all(in.problem.input_numbers);
         number.low = least_share * all[VehicleNumber::wheelbase];
         number.high = (1.0 - least_share) * all[VehicleNumber::wheelbase];
     }

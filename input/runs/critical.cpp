@@ -104,7 +104,8 @@ double hottest_surroundings(const solver::Problem& problem, const std::vector<in
     return hottest;
 }
 
-solver::Critical read_one(TomlTable& table, const solver::Problem& problem, bool has_mesh) {
+solver::Critical read_one(TomlTable& table, const solver::Problem& problem) {
+    const bool has_mesh = problem.mesh.n_nodes > 0;
     const mesh::Mesh& mesh = problem.mesh;
     solver::Critical critical;
     critical.name = table.name("name", Need::required).value_or("");
@@ -146,10 +147,10 @@ solver::Critical read_one(TomlTable& table, const solver::Problem& problem, bool
 
 }  // namespace
 
-std::vector<solver::Critical> read_critical(TomlTable& root, const solver::Problem& problem, bool has_mesh) {
+std::vector<solver::Critical> read_critical(TomlTable& root, const solver::Problem& problem) {
     std::vector<solver::Critical> found;
     root.each("critical", [&](TomlTable& table) {
-        solver::Critical critical = read_one(table, problem, has_mesh);
+        solver::Critical critical = read_one(table, problem);
         if (std::ranges::find(found, critical.name, &solver::Critical::name) != found.end() && !critical.name.empty()) {
             table.add_error("name", fmt::format("a second critical temperature is called \"{}\"", critical.name),
                             "rename one");

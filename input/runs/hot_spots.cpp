@@ -29,7 +29,7 @@ std::optional<HotSpotCase> HotSpotCase::read(const std::filesystem::path& file, 
     }
     TomlTable root(found.document_, "the case", errors);
     root.allow_unknown_keys();
-    found.critical = read_critical(root, runs.problem_of(run), true);
+    found.critical = read_critical(root, runs.problem_of(run));
     found.uncertain = read_uncertain(root);
     found.errors_ = std::move(errors);  // with the texts of all files, so that no variant opens them again
     return found;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "input/model/problem_builder.hpp"
 #include "input/parameters/parameter_path.hpp"
 #include "solver/hot_spot/hot_spot.hpp"
 #include "solver/sensitivity/free_parameter.hpp"
@@ -25,8 +24,7 @@ struct UncertainKey {
 };
 
 /// The list [[critical]]. Needs a case that has been read; of a mesh with errors only the numbers are checked.
-[[nodiscard]] std::vector<solver::Critical> read_critical(TomlTable& root, const solver::Problem& problem,
-                                                          bool has_mesh);
+[[nodiscard]] std::vector<solver::Critical> read_critical(TomlTable& root, const solver::Problem& problem);
 /// The list [[uncertain]].
 [[nodiscard]] std::vector<UncertainKey> read_uncertain(TomlTable& root);
 

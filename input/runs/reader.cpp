@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls the readers of all tables in the order in which one may refer to another.
+// Reads a case as it is simulated: one run of it, or that of each corner.
 
 #include "input/runs/reader.hpp"
 
@@ -7,15 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "input/drive/corner.hpp"
-#include "input/effects/user_effects.hpp"
+#include "input/cameras/camera.hpp"
 #include "input/files/run_name.hpp"
-#include "input/model/problem_builder.hpp"
 #include "input/runs/runs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 #include "input/toml/document.hpp"
-#include "input/vehicle/vehicle_log.hpp"
 
 namespace tiretherm::input {
 
@@ -35,56 +32,6 @@ std::string case_name(const fs::path& file) {
         }
     }
     return ((found ? below : fs::path()) / plain_stem(whole)).generic_string();
-}
-
-namespace {
-
-/// A run that is too long or too finely stored, where the rest of the case is sound: otherwise its size is not known.
-void check_size(const TomlTable& root, const ProblemBuilder& builder) {
-    if (root.errors().count() > 0) {
-        return;
-    }
-    if (const std::optional<SizeExcess> excess = excess_of(builder.problem, builder.limits)) {
-        const TomlValue* time = root.content().find("time");
-        const TomlValue* value = time != nullptr ? time->find(excess->key) : nullptr;
-        root.errors().add(value != nullptr  ? value->place
-                          : time != nullptr ? time->place
-                                            : root.place(),
-                          excess->what, excess->remedy);
-    }
-}
-
-}  // namespace
-
-void read_tables(TomlTable& root, ProblemBuilder& builder) {
-    solver::Problem& problem = builder.problem;
-    problem.title = root.text("title").value_or(problem.name);
-    for (const LocatedString& source : root.texts("sources")) {
-        problem.sources.push_back(source.text);
-    }
-    // A later table may refer to an earlier one: patches and layers of the mesh, channels, the run's start and end.
-    builder.followed = followed_names(root.content());
-    add_vehicle_columns(root.content(), builder.followed);
-    builder.case_file = root.place().file;
-    builder.limits = read_limits(root);
-    read_tire(root, builder);
-    read_materials(root, builder);
-    read_mesh(root, builder);
-    read_drive(root, builder);
-    read_vehicle(root, builder);
-    settle_tire(root, builder);
-    read_effects(root, builder);
-    read_time_settings(root, builder);
-    read_fields(root, builder);
-    read_travelling(root, builder);
-    read_user_effects(root, builder);
-    read_initial(root, builder);
-    read_sensors(root, builder);
-    read_cameras(root, builder);
-    bind_readings(root, builder);
-    read_measured(root, builder);
-    check_laws(root, builder);
-    check_size(root, builder);
 }
 
 namespace {

@@ -49,24 +49,23 @@ private:
 
 }  // namespace
 
-void read_series(const RunFile& file, const ProblemBuilder& builder, InputErrors& errors, MeasuredRun& run) {
+void read_series(const RunFile& file, const solver::Problem& problem, InputErrors& errors, MeasuredRun& run) {
     std::vector<ColumnRequest> requests;
     std::vector<std::size_t> channels;
     for (const UsedColumn& column : file.columns.used) {
-        const int channel = column.is_sensor ? find_channel(builder.problem, column.name) : -1;
+        const int channel = column.is_sensor ? find_channel(problem, column.name) : -1;
         if (channel < 0) {
             continue;
         }
         const auto index = static_cast<std::size_t>(channel);
-        requests.push_back(
-            file.file.request(column.column, column.name, value_spec(builder.problem.channels[index].quantity)));
+        requests.push_back(file.file.request(column.column, column.name, value_spec(problem.channels[index].quantity)));
         channels.push_back(index);
     }
     const std::vector<std::vector<double>> read = file.file.read(requests, errors);
     if (file.time.empty()) {
         return;
     }
-    const Samples samples(file, builder.problem.settings);
+    const Samples samples(file, problem.settings);
     run.time = samples.of(file.time);
     for (std::size_t i = 0; i < read.size(); ++i) {
         MeasuredSeries series{.channel = channels[i], .value = samples.of(read[i])};
@@ -133,20 +132,20 @@ void warn_of_starts(const TomlValue& document, const solver::Problem& problem, c
     }
 }
 
-void read_numbers(const ProblemBuilder& builder, const TomlValue& document, const RunTable& table, InputErrors& errors,
+void read_numbers(const solver::Problem& problem, const TomlValue& document, const RunTable& table, InputErrors& errors,
                   MeasuredRun& run) {
     const TomlValue* list = document.find("measured");
     const bool own = table.table != nullptr && table.table->find("measured") != nullptr;
-    const std::vector<solver::Measured>& numbers = builder.problem.measured;
+    const std::vector<solver::Measured>& numbers = problem.measured;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const solver::Measured& number = numbers[i];
-        const int channel = find_channel(builder.problem, number.channel);
+        const int channel = find_channel(problem, number.channel);
         if (channel < 0) {
             continue;
         }
         const auto index = static_cast<std::size_t>(channel);
         const std::optional<double> sd =
-            number.uncertainty ? number.uncertainty : builder.problem.channels[index].standard_deviation;
+            number.uncertainty ? number.uncertainty : problem.channels[index].standard_deviation;
         if (sd) {
             run.numbers.push_back({.channel = index,
                                    .time = number.time,
@@ -157,7 +156,7 @@ void read_numbers(const ProblemBuilder& builder, const TomlValue& document, cons
             const SourceLocation place = list != nullptr && i < list->items.size() ? list->items[i].place : table.place;
             errors.add(place, fmt::format("the number of {} has no uncertainty", number.channel),
                        fmt::format("add uncertainty = {}, its standard uncertainty",
-                                   spell_example(deviation_spec(builder.problem.channels[index].quantity))));
+                                   spell_example(deviation_spec(problem.channels[index].quantity))));
         }
     }
 }

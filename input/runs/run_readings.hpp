@@ -12,7 +12,7 @@
 namespace tiretherm::input {
 
 /// What the sensors' columns of a run's file say.
-void read_series(const RunFile& file, const ProblemBuilder& builder, InputErrors& errors, MeasuredRun& run);
+void read_series(const RunFile& file, const solver::Problem& problem, InputErrors& errors, MeasuredRun& run);
 
 /// Columns that the model does not use, where they are numbers.
 void read_unused(const RunFile& file, const solver::Settings& settings, InputErrors& errors, MeasuredRun& run);
@@ -25,7 +25,7 @@ void warn_of_starts(const TomlValue& document, const solver::Problem& problem, c
 /// Numbers of the run with their uncertainty. One of the run's own without uncertainty is an error; one of the case
 /// may stand there only to be shown.
 /// @param document the case with the run's tables over it
-void read_numbers(const ProblemBuilder& builder, const TomlValue& document, const RunTable& table, InputErrors& errors,
+void read_numbers(const solver::Problem& problem, const TomlValue& document, const RunTable& table, InputErrors& errors,
                   MeasuredRun& run);
 
 /// A run without measured values is an error.
@@ -34,6 +34,7 @@ void require_readings(const MeasuredRun& run, const RunTable& table, const RunFi
                       const std::vector<std::string>& sensors, InputErrors& errors);
 
 /// What is to be looked at for suspicious signals.
-[[nodiscard]] Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const MeasuredRun& run);
+[[nodiscard]] Recording recording_of(const RunFile& file, const RunInputs& inputs, const solver::Problem& problem,
+                                     const MeasuredRun& run);
 
 }  // namespace tiretherm::input

@@ -28,7 +28,8 @@ RecordedColumn recorded_column(const RunFile& file, const UsedColumn& column, st
 
 }  // namespace
 
-Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const MeasuredRun& run) {
+Recording recording_of(const RunFile& file, const RunInputs& inputs, const solver::Problem& problem,
+                       const MeasuredRun& run) {
     Recording recording;
     recording.time = run.time;
     if (file.columns.time >= 0) {
@@ -38,7 +39,7 @@ Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const
         if (column.input != nullptr) {
             RecordedColumn recorded = recorded_column(file, column, column.input->unit);
             recorded.is_input = true;
-            for (const MeasuredInput& input : builder.run->inputs) {
+            for (const MeasuredInput& input : inputs.inputs) {
                 if (input.signal == column.input) {
                     recorded.time = input.time == recording.time ? recording.time : SampleTimes(input.time);
                     recorded.value = input.value;
@@ -49,7 +50,7 @@ Recording recording_of(const RunFile& file, const ProblemBuilder& builder, const
         }
         for (std::size_t s = 0; s < run.series.size(); ++s) {
             const MeasuredSeries& series = run.series[s];
-            const solver::Channel& channel = builder.problem.channels[series.channel];
+            const solver::Channel& channel = problem.channels[series.channel];
             if (channel.name != column.name) {
                 continue;
             }

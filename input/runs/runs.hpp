@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "input/materials/ply_summary.hpp"
-#include "input/measurements/experiment.hpp"
 #include "input/model/size_limits.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "input/toml/document.hpp"
 #include "solver/hot_spot/hot_spot.hpp"
 

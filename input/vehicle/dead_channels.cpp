@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "input/drive/run_inputs.hpp"
 #include "input/loggers/car_columns.hpp"
+#include "input/tables/data_file.hpp"
 #include "input/vehicle/at_times.hpp"
 #include "input/vehicle/clock_shift.hpp"
 #include "physics/vehicle/local_mean.hpp"

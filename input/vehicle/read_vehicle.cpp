@@ -2,7 +2,7 @@
 // Gives a case's tire the inputs of its corner: what the case or its run gives wins, the rest is computed; warnings say
 // what was computed from what.
 
-#include <memory>
+#include "input/vehicle/read_vehicle.hpp"
 
 #include <fmt/format.h>
 
@@ -48,62 +48,64 @@ bool delays_speed(const TomlValue& document) {
 
 }  // namespace
 
-void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
+VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFormula>& law, bool unreadable,
+                          std::shared_ptr<const CarMotion> car, DrivenSignals& signals) {
     InputErrors& errors = root.errors();
-    const std::optional<VehicleSettings> settings = read_vehicle_settings(root, builder);
-    const bool unreadable = builder.run && builder.run->unreadable;
+    GivenSignals& given = signals.given;
+    VehicleTable read{.car = std::move(car)};
+    const std::optional<VehicleSettings> settings = read_vehicle_settings(root, law);
     if (root.has("vehicle")) {
-        builder.given.try_emplace("speed", root.place("vehicle"));  // without it, motion_of says so
+        given.try_emplace("speed", root.place("vehicle"));  // without it, motion_of says so
     }
     if (!settings || unreadable) {
         // The inputs that it would have given are not missing.
         for (const ComputedInput& one : computed_inputs()) {
             if (root.has("vehicle")) {
-                builder.given.try_emplace(std::string(one.signal->name), root.place("vehicle"));
+                given.try_emplace(std::string(one.signal->name), root.place("vehicle"));
             }
         }
-        return;
+        return read;
     }
-    std::optional<VehicleLog> log = find_vehicle_log(builder, settings->place, errors);
+    std::optional<VehicleLog> log = find_vehicle_log(signals, settings->place, errors);
     if (log) {
         log->speed_is_brought_back = delays_speed(root.content());
     }
     std::vector<std::string> names;
     std::vector<std::string> kept;
-    std::vector<ComputedInput> given;
+    std::vector<ComputedInput> computed;
     for (const ComputedInput& one : computed_inputs()) {
         const bool slip_ratio = one.signal->member == &physics::Inputs::slip_ratio;
-        if (slip_ratio && (!settings->has_slip_ratio() || builder.given.contains("slip_speed"))) {
+        if (slip_ratio && (!settings->has_slip_ratio() || given.contains("slip_speed"))) {
             continue;
         }
-        const bool is_new = builder.given.try_emplace(std::string(one.signal->name), settings->place).second;
+        const bool is_new = given.try_emplace(std::string(one.signal->name), settings->place).second;
         (is_new ? names : kept).emplace_back(one.signal->name);
         if (is_new) {
-            given.push_back(one);
+            computed.push_back(one);
         }
     }
     if (!log) {
-        return;
+        return read;
     }
-    if (const auto origin = motion_origin(*settings, *log); builder.car == nullptr || builder.car->origin != origin) {
+    if (const auto origin = motion_origin(*settings, *log); read.car == nullptr || read.car->origin != origin) {
         std::optional<MotionHistory> found = motion_of(*settings, *log, errors);
-        builder.car = found ? std::make_shared<const CarMotion>(CarMotion{origin, std::move(*found)}) : nullptr;
+        read.car = found ? std::make_shared<const CarMotion>(CarMotion{origin, std::move(*found)}) : nullptr;
     }
-    if (builder.car == nullptr) {
-        return;
+    if (read.car == nullptr) {
+        return read;
     }
-    const MotionHistory& motion = builder.car->history;
-    builder.course_agrees = motion.course_agrees;
-    solver::InputSignals& inputs = builder.problem.input_signals;
+    const MotionHistory& motion = read.car->history;
+    read.course_agrees = motion.course_agrees;
+    solver::InputSignals& inputs = signals.inputs;
     const bool has_disc = inputs.gives(*physics::find_signal("air_temperature")) &&
-                          builder.given.try_emplace("brake_temperature", settings->place).second;
+                          given.try_emplace("brake_temperature", settings->place).second;
     const auto model =
-        std::make_shared<VehicleInputModel>(*settings, std::move(*log), inputs, std::move(given), has_disc);
+        std::make_shared<VehicleInputModel>(*settings, std::move(*log), inputs, std::move(computed), has_disc);
     const CornerHistory corner = model->corner(settings->numbers, motion);
     model->put(settings->numbers, motion, corner, inputs);
     const std::span<const double> numbers = settings->numbers.all();
-    builder.problem.input_numbers.assign(numbers.begin(), numbers.end());
-    builder.problem.input_model = model;
+    read.numbers.assign(numbers.begin(), numbers.end());
+    read.model = model;
     const std::string_view name = physics::corner_names[static_cast<std::size_t>(settings->corner)];
     if (!names.empty()) {
         errors.warn(settings->place,
@@ -122,6 +124,7 @@ void read_vehicle(TomlTable& root, ProblemBuilder& builder) {
         errors.warn(settings->place, source);
     }
     warn_of_limits(corner, *settings, errors);
+    return read;
 }
 
 }  // namespace tiretherm::input

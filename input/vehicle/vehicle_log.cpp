@@ -28,15 +28,6 @@ constexpr std::array<VehicleSignal, 5> table{{
 constexpr std::array members{&VehicleLog::longitudinal_acceleration, &VehicleLog::lateral_acceleration,
                              &VehicleLog::yaw_rate, &VehicleLog::steering_wheel_angle, &VehicleLog::brake_pressure};
 
-const UserColumn* find_column(const ProblemBuilder& builder, std::string_view name) {
-    const auto in = [&](const std::vector<UserColumn>& columns) -> const UserColumn* {
-        const auto found = std::ranges::find(columns, name, &UserColumn::name);
-        return found == columns.end() ? nullptr : &*found;
-    };
-    const UserColumn* own = builder.run ? in(builder.run->columns) : nullptr;
-    return own != nullptr ? own : in(builder.columns);
-}
-
 std::string_view shown_unit(const VehicleSignal& signal) {
     return signal.unit == "m s-2" ? "m/s2" : signal.unit == "rad" ? "rad" : "rad/s";
 }
@@ -107,7 +98,7 @@ bool take(const VehicleSignal& signal, const UserColumn& column, const SourceLoc
 
 /// Takes out channels that say nothing, with a remark each. A constant that alone says how the car turns may be a straight line or
 /// a circle, and stays.
-void leave_out_dead(const ProblemBuilder& builder, VehicleLog& log) {
+void leave_out_dead(const std::vector<UserColumn>& columns, VehicleLog& log) {
     std::vector<DeadChannel> dead = dead_channels(log);
     const auto is_alive = [&](std::string_view name) {
         return !(log.*member_of(name)).time.empty() && std::ranges::find(dead, name, &DeadChannel::name) == dead.end();
@@ -115,7 +106,7 @@ void leave_out_dead(const ProblemBuilder& builder, VehicleLog& log) {
     const bool turns_are_told = !log.course.course.time.empty() || is_alive("lateral_acceleration") ||
                                 is_alive("yaw_rate") || is_alive("steering_wheel_angle");
     for (const DeadChannel& channel : dead) {
-        const std::string& beside = find_column(builder, channel.name)->beside;
+        const std::string& beside = find_column(columns, channel.name)->beside;
         ErrorText& remark = log.remarks.emplace_back();
         remark.about = channel.name;
         if (!turns_are_told && !is_along_the_car(channel.name) && beside.empty()) {
@@ -145,16 +136,15 @@ void warn_of_stands(VehicleLog& log) {
 }
 
 /// The car's speed as [drive] or the run's file gives it, as a history.
-solver::SignalHistory speed_of(const ProblemBuilder& builder) {
+solver::SignalHistory speed_of(const solver::InputSignals& inputs) {
     const physics::Signal* speed = physics::find_signal("speed");
-    for (const solver::Series& series : builder.problem.input_signals.series()) {
+    for (const solver::Series& series : inputs.series()) {
         if (series.signal == speed) {
             return {.time = series.time, .value = series.value};
         }
     }
-    return builder.problem.input_signals.gives(*speed)
-               ? solver::SignalHistory{.time = {0.0}, .value = {builder.problem.input_signals.constants().speed}}
-               : solver::SignalHistory{};
+    return inputs.gives(*speed) ? solver::SignalHistory{.time = {0.0}, .value = {inputs.constants().speed}}
+                                : solver::SignalHistory{};
 }
 
 }  // namespace
@@ -213,12 +203,12 @@ bool is_used_up_by_vehicle(std::string_view name) {
     return found != table.end() && !found->may_heat;
 }
 
-std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const SourceLocation& place,
+std::optional<VehicleLog> find_vehicle_log(const DrivenSignals& signals, const SourceLocation& place,
                                            InputErrors& errors) {
     VehicleLog log;
     bool sound = true;
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const UserColumn* column = find_column(builder, table[i].name);
+        const UserColumn* column = find_column(signals.columns, table[i].name);
         if (column == nullptr) {
             continue;
         }
@@ -228,10 +218,9 @@ std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const 
         }
         sound = take(table[i], *column, place, errors, log.*members[i]) && sound;
     }
-    log.speed = speed_of(builder);
-    log.course = where_it_drives(
-        builder.run && !builder.run->course.course.time.empty() ? builder.run->course : builder.course, log.speed);
-    leave_out_dead(builder, log);
+    log.speed = speed_of(signals.inputs);
+    log.course = where_it_drives(signals.course, log.speed);
+    leave_out_dead(signals.columns, log);
     warn_of_stands(log);
     return sound ? std::optional(std::move(log)) : std::nullopt;
 }

@@ -6,7 +6,8 @@
 #include <string_view>
 
 #include "input/laps/course_over_ground.hpp"
-#include "input/model/problem_builder.hpp"
+#include "input/measurements/driven_signals.hpp"
+#include "input/toml/document.hpp"
 #include "solver/digest.hpp"
 
 namespace tiretherm::input {
@@ -63,7 +64,7 @@ void add_to(solver::Digest& digest, const VehicleLog& log);
 /// acceleration is standard gravity, not a gram. Channels to which no sensor is connected are left out with a remark; a constant
 /// that alone says how the car turns stays unless another column is to be had.
 /// @param place of [vehicle]  @returns nothing after an error
-[[nodiscard]] std::optional<VehicleLog> find_vehicle_log(const ProblemBuilder& builder, const SourceLocation& place,
+[[nodiscard]] std::optional<VehicleLog> find_vehicle_log(const DrivenSignals& signals, const SourceLocation& place,
                                                          InputErrors& errors);
 
 }  // namespace tiretherm::input

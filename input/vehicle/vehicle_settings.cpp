@@ -126,7 +126,7 @@ void read_signs(TomlTable& table, VehicleSettings& settings) {
 
 }  // namespace
 
-std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root, const ProblemBuilder& builder) {
+std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root, const std::optional<physics::MagicFormula>& law) {
     TomlTable table = root.subtable("vehicle");
     if (!table.exists()) {
         return std::nullopt;
@@ -139,7 +139,7 @@ std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root, const Prob
     read_lengths(reader);
     read_aerodynamics(reader);
     read_shares(reader, settings.kind);
-    read_vehicle_tires(table, builder, settings);
+    read_vehicle_tires(table, law, settings);
     reader.take(VehicleNumber::steering_ratio);
     reader.take(VehicleNumber::brake_heat_capacity);
     reader.take(VehicleNumber::brake_cooling);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "input/model/problem_builder.hpp"
+#include "input/toml/toml_table.hpp"
 #include "input/vehicle/vehicle_numbers.hpp"
 
 /// From the log of a car to the inputs of each of its tires.
@@ -32,7 +32,9 @@ struct VehicleSettings {
     }
 };
 
-/// Reads [vehicle]. @returns nothing after an error, all of which are reported, or without the table
-[[nodiscard]] std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root, const ProblemBuilder& builder);
+/// Reads [vehicle]. @param law of [tire], which is that of all wheels where [vehicle] names none
+/// @returns nothing after an error, all of which are reported, or without the table
+[[nodiscard]] std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root,
+                                                                   const std::optional<physics::MagicFormula>& law);
 
 }  // namespace tiretherm::input

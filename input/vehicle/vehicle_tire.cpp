@@ -70,7 +70,8 @@ void read_stiffnesses(TomlTable& table, VehicleSettings& settings) {
 
 }  // namespace
 
-void read_vehicle_tires(TomlTable& table, const ProblemBuilder& builder, VehicleSettings& settings) {
+void read_vehicle_tires(TomlTable& table, const std::optional<physics::MagicFormula>& of_tire,
+                        VehicleSettings& settings) {
     table.declare_keys({"property_file", "rear_property_file", "front_cornering_stiffness", "rear_cornering_stiffness",
                         "front_slip_stiffness", "rear_slip_stiffness", "friction", "friction_scale",
                         "stiffness_scale"});
@@ -93,8 +94,8 @@ void read_vehicle_tires(TomlTable& table, const ProblemBuilder& builder, Vehicle
     }
     if (law) {
         use(*law, rear, table, settings);
-    } else if (stiffnesses.empty() && builder.problem.handling.magic_formula) {
-        use(*builder.problem.handling.magic_formula, rear, table, settings);
+    } else if (stiffnesses.empty() && of_tire) {
+        use(*of_tire, rear, table, settings);
     } else if (stiffnesses.empty() && table.has("property_file")) {
         return;  // no text, which has been reported
     } else {

@@ -7,6 +7,7 @@
 namespace tiretherm::input {
 
 /// Reads property_file, or the four stiffnesses and the friction; with neither it is the .tir of [tire].
-void read_vehicle_tires(TomlTable& table, const ProblemBuilder& builder, VehicleSettings& settings);
+void read_vehicle_tires(TomlTable& table, const std::optional<physics::MagicFormula>& of_tire,
+                        VehicleSettings& settings);
 
 }  // namespace tiretherm::input

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/sensor_kinds.hpp"
+#include "input/model/sensors.hpp"
 #include "input/text/units.hpp"
 #include "physics/conventions.hpp"
 #include "physics/signals.hpp"

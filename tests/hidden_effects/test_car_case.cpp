@@ -10,7 +10,7 @@
 #include "car/car_log_truth.hpp"
 #include "diagnosis/assess/diagnosis.hpp"
 #include "diagnosis/fit/identification.hpp"
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "support/written.hpp"
 
 namespace hidden_effects {

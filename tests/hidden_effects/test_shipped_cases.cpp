@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "solver/time_integration/march.hpp"
 #include "two_node/shipped_truth.hpp"
 

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/assess/diagnosis.hpp"
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "input/runs/reader.hpp"
 #include "post/scratch.hpp"
 #include "solver/time_integration/march.hpp"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/observations/observations.hpp"
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::diagnosis {

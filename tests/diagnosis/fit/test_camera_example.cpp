@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/compare/comparison.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "post/comparison/comparison_report.hpp"
 #include "tests/support/report_cells.hpp"
 

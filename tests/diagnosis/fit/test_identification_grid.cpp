@@ -7,6 +7,7 @@
 
 #include "diagnosis/fit/identification.hpp"
 #include "diagnosis/fit/refinement.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::diagnosis {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/fit/identification.hpp"
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::diagnosis {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "solver/time_integration/march.hpp"
 #include "support/written.hpp"
 

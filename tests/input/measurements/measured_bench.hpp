@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::input {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "solver/system.hpp"
 #include "support/written.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "input/studies/study.hpp"
 #include "input/validation/validation.hpp"
 #include "solver/linear/petsc_factor.hpp"

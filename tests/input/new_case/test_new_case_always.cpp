@@ -8,6 +8,7 @@
 
 #include "input/log_survey/log_survey.hpp"
 #include "input/new_case/made.hpp"
+#include "input/runs/read_experiment.hpp"
 
 namespace tiretherm::input {
 namespace {

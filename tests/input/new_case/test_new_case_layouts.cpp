@@ -10,6 +10,7 @@
 #include "input/loggers/ld_writer.hpp"
 #include "input/loggers/logger_files.hpp"
 #include "input/new_case/made.hpp"
+#include "input/runs/read_experiment.hpp"
 
 namespace tiretherm::input {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A case from a log: standard columns are used, odd ones are suggested, wrong ones are reported with their line.
 #include "input/new_case/made.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "post/fields/hdf5_file.hpp"
 
 namespace tiretherm::input {

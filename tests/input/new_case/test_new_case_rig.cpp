@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "input/new_case/made.hpp"
+#include "input/runs/read_experiment.hpp"
 
 namespace tiretherm::input {
 namespace {

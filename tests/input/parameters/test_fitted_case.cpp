@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "post/report/file.hpp"
 #include "support/written.hpp"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "tests/support/written.hpp"
 
 namespace tiretherm::input {

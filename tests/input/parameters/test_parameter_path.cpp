@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "input/cameras/camera_bench.hpp"
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::input {

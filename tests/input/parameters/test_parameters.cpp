@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "input/runs/read_experiment.hpp"
 #include "support/written.hpp"
 
 // What a case says may be fitted, and what becomes of it. Errors are in tests/bad_cases/parameter_*.toml.

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "input/model/sensor_kinds.hpp"
+#include "input/model/sensors.hpp"
 #include "input/runs/reader.hpp"
 #include "input/schema/all_tables.hpp"
 #include "input/toml/toml_table.hpp"

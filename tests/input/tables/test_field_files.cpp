@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "input/effects/field_bench.hpp"
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "solver/system.hpp"
 #include "solver/time_integration/march.hpp"
 

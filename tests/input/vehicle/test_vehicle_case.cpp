@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "input/runs/read_experiment.hpp"
 #include "input/vehicle/known_car.hpp"
 #include "input/vehicle/vehicle_log.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads the case file with its runs; a caller that needs another grid lets it change [mesh].
 
-#include "input/measurements/experiment.hpp"
+#include "input/runs/read_experiment.hpp"
 
 #include "input/drive/corner.hpp"
 #include "input/model/petsc_refusal.hpp"
