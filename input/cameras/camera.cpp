@@ -175,6 +175,7 @@ void take_away_cameras(solver::Problem& problem) {
             return other.scope == physics::Scope::channel && is_gone(other.index);
         });
     }
+    // An effect behind cameras alone goes with them; one that stands behind sensors as well stays with these.
     std::erase_if(problem.effects, [&](physics::ActiveEffect& active) {
         const bool had_some = !active.channels.empty();
         std::erase_if(active.channels, is_gone);

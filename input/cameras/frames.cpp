@@ -86,6 +86,7 @@ void find_pixels(const Camera& camera, const Window& window, const std::vector<b
                     }
                 }
             }
+            // Half of the detectors still average the noise and lie about the middle of the bin.
             if (2 * pixel.detectors.size() >= static_cast<std::size_t>(n) * static_cast<std::size_t>(n)) {
                 into.pixels.push_back(std::move(pixel));
             }

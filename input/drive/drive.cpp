@@ -81,6 +81,7 @@ void DriveReader::add_measured(InputErrors& errors) {
                 solver::Series{.signal = input.signal, .time = input.time, .value = input.value, .logged = true});
         }
     }
+    // Which inputs the file would have given is unknown: none of them is missing.
     if (run_->unreadable) {
         for (const Signal& signal : physics::signals()) {
             read_.signals.given.try_emplace(std::string(signal.name), run_->place);
@@ -89,8 +90,7 @@ void DriveReader::add_measured(InputErrors& errors) {
 }
 
 bool RunInputs::says(std::string_view of_table, std::string_view key) const {
-    const TomlValue* own = table != nullptr ? table->find(of_table) : nullptr;
-    return own != nullptr && own->find(key) != nullptr;
+    return table != nullptr && table->find({of_table, key}) != nullptr;
 }
 
 bool RunInputs::overrides(std::string_view key, std::string_view signal) const {
@@ -141,6 +141,7 @@ DriveTable DriveReader::read(TomlTable& drive) && {
     }
     drive.each("schedule", [&](TomlTable& table) { read_schedule(table); });
     drive.each("file", [&](TomlTable& table) { read_log(table); });
+    // Behind all series: one of them may have taken the place of a constant.
     for (const auto& [signal, value] : constants) {
         if (std::ranges::find(constants_, signal->name) != constants_.end()) {
             read_.signals.inputs.add(*signal, value);

@@ -45,7 +45,8 @@ std::optional<double> StartReader::first_air() const {
 }
 
 std::optional<double> StartReader::first_reading(std::string_view sensor) const {
-    constexpr double span = 1.0;  // s
+    // Long enough for the noise of several samples to go, short against what the tire changes by. s
+    constexpr double span = 1.0;
     const double start = problem.settings.start + (run != nullptr ? run->lead : 0.0);
     double sum = 0.0;
     int count = 0;

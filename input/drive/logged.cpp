@@ -99,32 +99,33 @@ void DriveReader::read_log(TomlTable& table) {
         take_driven(time);
     }
     for (std::size_t i = 1; i < values.size(); ++i) {
-        const std::string& name = requested[i].name;
-        const SourceLocation& place = file->heads()[static_cast<std::size_t>(requested[i].column)].place;
-        const std::string dead =
-            keys.keeps_suspicious() ? std::string() : remove_dead(time, values[i], requested[i].spec.unit);
-        if (!dead.empty()) {
-            errors.warn(place, fmt::format("{} {}: left out", name, dead));
-        }
-        if (!judge_gaps(name, time, values[i],
-                        {.place = place, .elsewhere = fmt::format("ignore the column and give {} in [drive]", name)},
-                        errors)) {
-            continue;
-        }
-        solver::SignalHistory known = known_samples(time, values[i]);
-        if (keys.holds(name)) {
-            known = held(known);
-        }
-        if (physics::find_signal(name) == nullptr) {
-            UserColumn& column = *std::ranges::find(read_.signals.columns, name, &UserColumn::name);
-            column.signal = std::move(known);
-            column.beside = live_column_beside(*file, requested[i].column, column, time, errors);
-            continue;
-        }
-        read_.signals.inputs.add(solver::Series{.signal = physics::find_signal(name),
-                                                .time = std::move(known.time),
-                                                .value = std::move(known.value),
-                                                .logged = true});
+        take_column(*file, requested[i], keys, time, values[i], errors);
+    }
+}
+
+void DriveReader::take_column(const DataFile& file, const ColumnRequest& column, ColumnKeys& keys,
+                              const std::vector<double>& time, std::vector<double>& value, InputErrors& errors) {
+    const std::string& name = column.name;
+    const SourceLocation& place = file.heads()[static_cast<std::size_t>(column.column)].place;
+    const std::string dead = keys.keeps_suspicious() ? std::string() : remove_dead(time, value, column.spec.unit);
+    if (!dead.empty()) {
+        errors.warn(place, fmt::format("{} {}: left out", name, dead));
+    }
+    const std::string elsewhere = fmt::format("ignore the column and give {} in [drive]", name);
+    if (!judge_gaps(name, time, value, {.place = place, .elsewhere = elsewhere}, errors)) {
+        return;
+    }
+    solver::SignalHistory known = known_samples(time, value);
+    if (keys.holds(name)) {
+        known = held(known);
+    }
+    if (const physics::Signal* signal = physics::find_signal(name)) {
+        read_.signals.inputs.add(solver::Series{
+            .signal = signal, .time = std::move(known.time), .value = std::move(known.value), .logged = true});
+    } else {
+        UserColumn& own = *std::ranges::find(read_.signals.columns, name, &UserColumn::name);
+        own.signal = std::move(known);
+        own.beside = live_column_beside(file, column.column, own, time, errors);
     }
 }
 

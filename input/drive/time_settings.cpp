@@ -15,7 +15,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double many_steps = 1e7;
+constexpr double many_steps = 1e7;  // more are a slip of the unit: at 1 kHz they last three hours
 
 /// A log goes on beyond the run, which somebody who included the run's end from another file does not see.
 void warn_of_cut_log(const TomlTable& time, const solver::Settings& settings, const DrivenSpan& span) {

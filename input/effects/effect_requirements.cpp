@@ -123,11 +123,11 @@ void check_requirements(TomlTable& root, const ActiveEffect& active, const Sourc
 }
 
 void check_weights(TomlTable& root, const solver::Problem& problem) {
+    // Weights are made when the system is: only a sound problem may become one.
     const solver::System system(problem);
     for (const ActiveEffect& active : system.effects()) {
         if (std::ranges::any_of(active.weights, [](double weight) { return !std::isfinite(weight); })) {
-            const TomlValue* effects = root.content().find("effects");
-            const TomlValue* table = effects != nullptr ? effects->find(active.effect->id) : nullptr;
+            const TomlValue* table = root.content().find({"effects", active.effect->id});
             root.errors().add(table != nullptr ? table->place : root.place(),
                               fmt::format("the weights of {} are zero everywhere on this mesh", active.title()),
                               "let its table or its shares be positive somewhere");
@@ -162,8 +162,7 @@ void warn_of_two_shares(TomlTable& root, const GivenSignals& given, const solver
     const bool resolved = std::ranges::any_of(effects, [&](const ActiveEffect& a) { return a.effect->id == taking; });
     if (by_number && resolved && share > 0.0 && share < 1.0) {
         const TomlValue* tables = root.content().find("effects");
-        const TomlValue* own = tables->find("sliding_friction");
-        const TomlValue* key = own != nullptr ? own->find("partition") : nullptr;
+        const TomlValue* key = tables->find({"sliding_friction", "partition"});
         root.errors().warn(
             key != nullptr ? key->place : tables->find(taking)->place,
             fmt::format("partition = {:g} gives the road {:g} of the heat of sliding, and {} lets the road "

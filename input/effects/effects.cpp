@@ -77,14 +77,14 @@ bool read_effects(TomlTable& root, const EffectSurroundings& in, solver::Problem
             }
         }
     }
+    // Once for all effects, so that a signal that several of them lack is one error.
     check_signals(root, in, problem);
     return has_mesh && root.errors().count() == before;
 }
 
 void bind_readings(TomlTable& root, const std::vector<Camera>& cameras, solver::Problem& problem) {
-    const TomlValue* effects = root.content().find("effects");
     for (ActiveEffect& active : problem.effects) {
-        const TomlValue* node = effects != nullptr ? effects->find(active.effect->id) : nullptr;
+        const TomlValue* node = root.content().find({"effects", active.effect->id});
         if (active.effect->sensor_model() != nullptr && node != nullptr && active.name.empty()) {
             TomlTable table(*node, fmt::format("[effects.{}]", active.effect->id), root.errors());
             table.allow_unknown_keys();  // its other keys have been read

@@ -62,6 +62,7 @@ std::vector<std::vector<double>> transferred(const mesh::Mesh& mesh, std::span<c
 void average(const FieldFile& file, std::vector<std::vector<double>>& frames) {
     const std::vector<double> shares = file.shares_of_revolution();
     std::vector<double> mean(frames.front().size());
+    // A revolution is short against the spread of heat to the next cell: the mean over it acts.
     for (std::size_t k = 0; k < frames.size(); ++k) {
         for (std::size_t i = 0; i < mean.size(); ++i) {
             mean[i] += shares[k] * frames[k][i];
@@ -224,9 +225,8 @@ private:
 
 std::vector<std::string> read_fields(TomlTable& root, const GivenSignals& given, solver::Problem& problem) {
     std::vector<std::string> over;
-    const TomlValue* effects = root.content().find("effects");
     for (ActiveEffect& active : problem.effects) {
-        const TomlValue* node = effects != nullptr ? effects->find(active.effect->id) : nullptr;
+        const TomlValue* node = root.content().find({"effects", active.effect->id});
         if (active.effect->field() == FieldOf::nothing || node == nullptr || node->kind != TomlValue::Kind::table) {
             continue;
         }

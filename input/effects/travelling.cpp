@@ -82,13 +82,12 @@ void warn_of_heat_spread_evenly(const solver::Problem& problem, const Mention& c
 void read_travelling(TomlTable& root, bool has_tire, solver::Problem& problem) {
     InputErrors& errors = root.errors();
     std::optional<Mention> mention;
-    const TomlValue* effects = root.content().find("effects");
     for (physics::ActiveEffect& active : problem.effects) {
         if (!physics::travels(active)) {
             continue;
         }
         const std::string_view id = active.effect->id;
-        const TomlValue* table = effects != nullptr ? effects->find(id) : nullptr;
+        const TomlValue* table = root.content().find({"effects", id});
         const TomlValue* key = table != nullptr ? table->find(physics::around_key) : nullptr;
         mention = {.id = id,
                    .key = key != nullptr ? physics::around_key : std::string_view(),

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "input/effects/formula_sampling.hpp"
 #include "input/text/units.hpp"
 
 namespace tiretherm::input {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "input/loggers/clock_words.hpp"
+#include "input/clock/clock_words.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/text/characters.hpp"
 #include "input/text/column_names.hpp"

@@ -131,6 +131,73 @@ std::optional<std::vector<std::string_view>> deal_units(const std::vector<CsvLin
     return dealt;
 }
 
+/// The file up to its data.
+struct VboxHead {
+    std::map<std::string, Section, std::less<>> sections{};
+    int lines = 0;
+    bool found_data = false;
+
+    [[nodiscard]] std::vector<CsvLine> filled(const std::string& name) {
+        std::vector<CsvLine> lines_with_text = sections[name].lines;
+        std::erase_if(lines_with_text, [](const CsvLine& line) { return line.text.empty(); });
+        return lines_with_text;
+    }
+};
+
+/// @param rest of the text: out, what follows the heading of the data  @param description gets the date
+VboxHead read_head(std::string_view& rest, LogDescription& description) {
+    VboxHead head;
+    Section* open = nullptr;
+    while (!head.found_data) {
+        const std::optional<std::string_view> line = next_line(rest);
+        if (!line) {
+            break;
+        }
+        ++head.lines;
+        const std::string_view trimmed = trim(*line);
+        if (trimmed.starts_with('[') && trimmed.ends_with(']')) {
+            const std::string name = lower(trimmed.substr(1, trimmed.size() - 2));
+            head.found_data = name == "data";
+            open = &head.sections[name];
+            open->line = head.lines;
+        } else if (open != nullptr) {
+            open->lines.push_back({trimmed, head.lines});
+        } else if (trimmed.starts_with("File created on ")) {
+            description.details.push_back({"Date", printable(trimmed.substr(16))});
+        }
+    }
+    return head;
+}
+
+/// The units of the columns: those of standard names, and over them what the section says.
+void take_units(VboxHead& head, std::string_view names, CsvLayout& layout) {
+    std::vector<std::string_view> columns;
+    split_fields(names, ' ', columns);
+    const std::vector<CsvLine> titles = head.filled("header");
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const bool titled = titles.size() == columns.size();
+        layout.units.push_back(standard_unit(std::string(columns[i]), titled ? titles[i].text : std::string_view()));
+    }
+    std::vector<std::string_view> titled = columns;
+    for (std::size_t i = columns.size(); i < titles.size(); ++i) {
+        titled.push_back(titles[i].text);
+    }
+    const std::vector<CsvLine>& section = head.sections["channel units"].lines;
+    const auto dealt = deal_units(section, titled, columns.size());
+    if (!dealt) {  // whose they are nobody knows
+        layout.description.details.push_back(
+            {"Channel units", fmt::format("not taken: {} for {} columns", without_end(section).size(), titled.size())});
+        return;
+    }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::string_view unit = (*dealt)[i];
+        // Positions are in minutes, whatever is written.
+        if (!unit.empty() && unit != "(null)" && layout.units[i] != "arcminute") {
+            layout.units[i] = std::string(unit);
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
@@ -144,41 +211,11 @@ std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
     layout.description.format = "VBOX .vbo";
     layout.description.west_is_positive = true;
     layout.separator = ' ';
-    std::map<std::string, Section, std::less<>> sections;
-    Section* open = nullptr;
     std::string_view rest = text;
-    int number = 0;
-    bool found_data = false;
-    while (!found_data) {
-        const std::optional<std::string_view> line = next_line(rest);
-        if (!line) {
-            break;
-        }
-        ++number;
-        const std::string_view trimmed = trim(*line);
-        if (trimmed.starts_with('[') && trimmed.ends_with(']')) {
-            const std::string name = lower(trimmed.substr(1, trimmed.size() - 2));
-            found_data = name == "data";
-            open = &sections[name];
-            open->line = number;
-        } else if (open != nullptr) {
-            open->lines.push_back({trimmed, number});
-        } else if (trimmed.starts_with("File created on ")) {
-            layout.description.details.push_back({"Date", printable(trimmed.substr(16))});
-        }
-    }
-    const auto filled = [&](std::string_view name) {
-        std::vector<CsvLine> lines;
-        for (const CsvLine& line : sections[std::string(name)].lines) {
-            if (!line.text.empty()) {
-                lines.push_back(line);
-            }
-        }
-        return lines;
-    };
-    const std::vector<CsvLine> names = filled("column names");
-    if (names.empty() || !found_data) {
-        layout.defect_line = number;
+    VboxHead head = read_head(rest, layout.description);
+    const std::vector<CsvLine> names = head.filled("column names");
+    if (names.empty() || !head.found_data) {
+        layout.defect_line = head.lines;
         layout.defect =
             ErrorText{fmt::format("the VBOX file has no section [{}]", names.empty() ? "column names" : "data"),
                       "save the session again: [column names] and [data] follow the head"};
@@ -190,45 +227,22 @@ std::optional<CsvLayout> find_vbox_layout(std::string_view text) {
         rest.remove_prefix(timing + 1);
         static_cast<void>(next_line(rest));
         while (const std::optional<std::string_view> line = next_line(rest)) {
-            sections["laptiming"].lines.push_back({trim(*line), number});
+            head.sections["laptiming"].lines.push_back({trim(*line), head.lines});
         }
     }
-    for (const CsvLine& line : filled("comments")) {
+    for (const CsvLine& line : head.filled("comments")) {
         const std::size_t colon = line.text.find(':');
         if (colon != std::string_view::npos && !trim(line.text.substr(colon + 1)).empty()) {
             layout.description.details.push_back(
                 {printable(trim(line.text.substr(0, colon))), printable(trim(line.text.substr(colon + 1)))});
         }
     }
-    for (const CsvLine& line : filled("laptiming")) {
+    for (const CsvLine& line : head.filled("laptiming")) {
         if (!layout.description.start_line) {
             layout.description.start_line = read_start_line(line.text);
         }
     }
-    std::vector<std::string_view> columns;
-    split_fields(names.front().text, ' ', columns);
-    const std::vector<CsvLine> titles = filled("header");
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        const bool titled = titles.size() == columns.size();
-        layout.units.push_back(standard_unit(std::string(columns[i]), titled ? titles[i].text : std::string_view()));
-    }
-    std::vector<std::string_view> titled = columns;
-    for (std::size_t i = columns.size(); i < titles.size(); ++i) {
-        titled.push_back(titles[i].text);
-    }
-    const std::vector<CsvLine>& section = sections["channel units"].lines;
-    if (const auto dealt = deal_units(section, titled, columns.size())) {
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            const std::string_view unit = (*dealt)[i];
-            // Positions are in minutes, whatever is written.
-            if (!unit.empty() && unit != "(null)" && layout.units[i] != "arcminute") {
-                layout.units[i] = std::string(unit);
-            }
-        }
-    } else {  // whose they are nobody knows
-        layout.description.details.push_back(
-            {"Channel units", fmt::format("not taken: {} for {} columns", without_end(section).size(), titled.size())});
-    }
+    take_units(head, names.front().text, layout);
     return layout;
 }
 

@@ -194,7 +194,7 @@ void settle_tire(TomlTable& root, bool has_tire, const GivenSignals& given, solv
     }
     physics::Tire& tire = problem.tire;
     if (!has_tire || !gives("inflation_pressure")) {
-        tire.reference_pressure = 0.0;
+        tire.reference_pressure = 0.0;  // which switches the laws' dependence on the pressure off
     }
     if (!has_tire || errors.count() > 0) {  // of what is wrong no range is told
         return;

@@ -35,8 +35,7 @@ Stock* find(std::vector<Stock>& all, std::string_view name) {
 /// Plies of cords, when all materials are known: their rubber may stand behind them. Its name is checked even where the
 /// rest of the plies is wrong.
 void mix_with_rubber(Stock& stock, std::vector<Stock>& all, InputErrors& errors) {
-    const TomlValue* table = stock.table->find("cord_rubber");
-    const TomlValue* name = table == nullptr ? nullptr : table->find("rubber");
+    const TomlValue* name = stock.table->find({"cord_rubber", "rubber"});
     if (name == nullptr || name->kind != TomlValue::Kind::text) {
         return;
     }

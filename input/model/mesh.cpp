@@ -41,6 +41,7 @@ MeshTable read_mesh(TomlTable& root, const MeshSource& from) {
     }
     const std::size_t before = mesh.errors().count();
     if (!mesh_kinds[*kind].read(mesh, from, read) || mesh.errors().count() > before) {
+        // With an error in any key, names of layers and patches may be wrong: readers of later tables then ask for none.
         read.mesh = {};
     }
     return read;

@@ -6,8 +6,7 @@
 namespace tiretherm::input {
 
 void refuse_petsc(const TomlValue& document, InputErrors& errors) {
-    const TomlValue* time = document.find("time");
-    const TomlValue* solver = time != nullptr ? time->find("linear_solver") : nullptr;
+    const TomlValue* solver = document.find({"time", "linear_solver"});
     if (solver != nullptr && solver->text == "petsc") {
         errors.add(solver->place,
                    "PETSc solves for one simulation at a time, and this command makes several side by side",

@@ -248,14 +248,14 @@ std::vector<solver::Channel> read_sensors(TomlTable& root, const solver::Problem
                                           const GivenSignals& given) {
     std::vector<std::string_view> names;
     std::ranges::transform(sensor_kinds(), std::back_inserter(names), &SensorKind::name);
-    const TomlValue* tire = root.content().find("tire");
-    const TomlValue* named = tire != nullptr ? tire->find("property_file") : nullptr;
+    const TomlValue* named = root.content().find({"tire", "property_file"});
     SensorSurroundings in{
         .problem = problem, .has_tire = has_tire, .given = given, .property_file = named != nullptr ? named->text : ""};
     root.each("sensor", [&](TomlTable& sensor) {
         const std::optional<std::string> name = sensor.name("name", Need::required);
         const std::optional<std::string> meaning = sensor.text("meaning");
         const std::optional<std::size_t> kind = sensor.choice("kind", names);
+        // Files of results have a column of this name, and formulas of user effects a signal.
         if (name == "time") {
             sensor.add_error("name", "time is the name of the clock", "rename the sensor");
         }

@@ -2,7 +2,7 @@
 // The tables of a new case, a function for each.
 #pragma once
 
-#include "input/new_case/case_writer.hpp"
+#include "input/case_text/case_writer.hpp"
 #include "input/new_case/new_case.hpp"
 #include "physics/tire_laws/scaled_tire.hpp"
 

@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "input/case_text/case_writer.hpp"
 #include "input/laps/file_laps.hpp"
 #include "input/loggers/car_columns.hpp"
 #include "input/loggers/logger_units.hpp"
-#include "input/new_case/case_writer.hpp"
 #include "input/new_case/rig_columns.hpp"
 #include "input/text/characters.hpp"
 #include "input/text/column_names.hpp"

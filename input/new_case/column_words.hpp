@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/new_case/mesh_template.hpp"
+#include "input/case_text/mesh_template.hpp"
 #include "input/tables/columns.hpp"
 #include "input/text/column_names.hpp"
 

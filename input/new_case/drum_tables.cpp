@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "input/new_case/case_tables.hpp"
-#include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {
 

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "input/drive/run_inputs.hpp"
 #include "input/files/wildcard.hpp"
 #include "input/laps/file_laps.hpp"
 #include "input/loggers/car_columns.hpp"

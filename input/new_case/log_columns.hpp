@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "input/case_text/mesh_template.hpp"
 #include "input/laps/laps.hpp"
 #include "input/new_case/column_words.hpp"
-#include "input/new_case/mesh_template.hpp"
 #include "input/tables/data_file.hpp"
 
 namespace tiretherm::input {

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "input/drive/corner.hpp"
 #include "input/loggers/car_columns.hpp"
 #include "input/new_case/case_tables.hpp"
 #include "input/runs/runs.hpp"

@@ -39,8 +39,7 @@ double tidy(double value) {
 /// Adds the range beyond which a law is held.
 TomlValue with_range(TomlValue law_table, const physics::Curve& law) {
     if (const auto range = law.range()) {
-        toml_text::add(law_table, "range",
-                       list_value({temperature_value((*range)[0]), temperature_value((*range)[1])}));
+        law_table.set("range", list_value({temperature_value((*range)[0]), temperature_value((*range)[1])}));
     }
     return law_table;
 }
@@ -73,7 +72,7 @@ TomlValue law_value(const physics::Curve& law, const std::vector<double>& knots,
                                    {"value", quantity_value(tidy(law.value(T)), unit)},
                                    {"slope", quantity_value(law.slope(T), unit + "/K")}});
     if (curvature != 0.0) {
-        toml_text::add(about, "curvature", quantity_value(curvature, unit + "/K2"));
+        about.set("curvature", quantity_value(curvature, unit + "/K2"));
     }
     return with_range(std::move(about), law);
 }
@@ -103,9 +102,8 @@ void lay_laws_over(TomlValue& over, const FittedCase& fitted, const TomlValue& o
             }
         }
     }
-    const auto materials = std::ranges::find(over.entries, "material", &Entry::key);
-    if (materials != over.entries.end()) {  // whatever the order of the numbers
-        std::ranges::sort(materials->value.items, {},
+    if (TomlValue* materials = over.find("material")) {  // whatever the order of the numbers
+        std::ranges::sort(materials->items, {},
                           [](const TomlValue& material) { return material.entries.front().value.text; });
     }
 }
@@ -116,10 +114,10 @@ TomlValue initial_value(const solver::Problem& problem) {
     TomlValue table = table_value();
     for (std::size_t layer = 0; layer < mesh.layers.size(); ++layer) {
         const auto node = std::ranges::find(mesh.layer, static_cast<int>(layer)) - mesh.layer.begin();
-        toml_text::add(table, mesh.layers[layer], temperature_value(problem.initial[static_cast<std::size_t>(node)]));
+        table.set(mesh.layers[layer], temperature_value(problem.initial[static_cast<std::size_t>(node)]));
     }
     for (const mesh::LumpedNode& lumped_node : mesh.lumped_nodes) {
-        toml_text::add(table, lumped_node.name, temperature_value(problem.initial[at(lumped_node.node)]));
+        table.set(lumped_node.name, temperature_value(problem.initial[at(lumped_node.node)]));
     }
     return table;
 }
@@ -154,14 +152,14 @@ void lay_corners_over(TomlValue& over, const FittedCase& fitted) {
         }
         TomlValue table = table_value();
         table.in_braces = false;
-        toml_text::add(table, "name", text_value(run.corner));
+        table.set("name", text_value(run.corner));
         lay_corner_over(table, *run.problem, fitted.parameters, r);
         if (table.entries.size() > 1) {
             corners.push_back(std::move(table));
         }
     }
     if (!corners.empty()) {
-        toml_text::add(over, "corner", list_value(std::move(corners)));
+        over.set("corner", list_value(std::move(corners)));
     }
 }
 
@@ -172,12 +170,12 @@ TomlValue run_table_of(const FittedRun& run, const TomlValue* data, const fs::pa
     const std::string& name = run.corner.empty() ? run.name : run.recording;
     // A list in which a name is missing takes the place of the original's runs instead of joining them.
     if (run.file.empty() || name != run.file.stem().string()) {
-        toml_text::add(table, "name", text_value(name));
+        table.set("name", text_value(name));
     }
     if (!run.file.empty()) {
-        toml_text::add(table, "file", toml_text::path_value(run.file, folder));
+        table.set("file", toml_text::path_value(run.file, folder));
         for (const Entry& entry : data != nullptr ? data->entries : std::vector<Entry>{}) {
-            toml_text::add(table, entry.key, in_one_line(entry.value));
+            table.set(entry.key, in_one_line(entry.value));
         }
     }
     return table;
@@ -195,8 +193,9 @@ void lay_runs_over(TomlValue& over, const FittedCase& fitted, const TomlValue& o
         }
     }
     if (moved_everywhere) {
-        toml_text::add(over, "initial", initial_value(*fitted.fitted));
-        over.entries.back().value.in_braces = false;
+        TomlValue initial = initial_value(*fitted.fitted);
+        initial.in_braces = false;
+        over.set("initial", std::move(initial));
     }
     std::vector<TomlValue> runs;
     const FittedRun* last = nullptr;  // with a table; the corners of a run follow each other
@@ -215,18 +214,17 @@ void lay_runs_over(TomlValue& over, const FittedCase& fitted, const TomlValue& o
             continue;
         }
         if (run.corner.empty()) {
-            toml_text::add(runs.back(), "initial", initial_value(*run.problem));
+            runs.back().set("initial", initial_value(*run.problem));
             continue;
         }
-        auto corners = std::ranges::find(runs.back().entries, "corner", &Entry::key);
-        if (corners == runs.back().entries.end()) {
-            toml_text::add(runs.back(), "corner", table_value());
-            corners = runs.back().entries.end() - 1;
+        TomlValue& corners = runs.back().at("corner");
+        if (corners.kind == TomlValue::Kind::nothing) {
+            corners = table_value();
         }
-        toml_text::add(corners->value, run.corner, table_value({{"initial", initial_value(*run.problem)}}));
+        corners.set(run.corner, table_value({{"initial", initial_value(*run.problem)}}));
     }
     if (!runs.empty()) {
-        toml_text::add(over, "run", list_value(std::move(runs)));
+        over.set("run", list_value(std::move(runs)));
     }
 }
 
@@ -250,13 +248,13 @@ std::string fitted_case(const FittedCase& fitted, const fs::path& folder) {
     InputErrors errors;
     const TomlValue original = read_document(fitted.original, errors).value_or(TomlValue{});
     TomlValue over = table_value();
-    toml_text::add(over, "include", list_value({toml_text::path_value(fitted.original, folder)}));
+    over.set("include", list_value({toml_text::path_value(fitted.original, folder)}));
     if (const TomlValue* mesh = original.find("mesh");
         mesh != nullptr && (fitted.mesh.layers > 0.0 || fitted.mesh.finer > 1)) {
-        toml_text::add(over, "unset", toml_text::texts_value({"mesh"}));
+        over.set("unset", toml_text::texts_value({"mesh"}));
         TomlValue changed = *mesh;
         change_mesh(changed, fitted.mesh);
-        toml_text::add(over, "mesh", std::move(changed));
+        over.set("mesh", std::move(changed));
     }
     lay_effects_over(over, *fitted.before, *fitted.fitted, fitted.parameters, fitted.user_effects);
     lay_laws_over(over, fitted, original);

@@ -35,8 +35,8 @@ void lay_places(TomlValue& over, const solver::Problem& problem, const ActiveEff
     TomlValue values = toml_text::table_value();
     for (const ActiveEffect::Override& other : active.overrides) {
         if (other.parameter == parameter && other.scope == scope) {
-            toml_text::add(values, names[static_cast<std::size_t>(other.index)],
-                           quantity_value(other.value, active.effect->parameters[parameter].unit));
+            values.set(names[static_cast<std::size_t>(other.index)],
+                       quantity_value(other.value, active.effect->parameters[parameter].unit));
         }
     }
     if (!values.entries.empty()) {
@@ -168,14 +168,12 @@ void lay_user_effect(TomlValue& over, const ActiveEffect& active, std::span<cons
 void lay_over(TomlValue& over, const ParameterPath& path, TomlValue value) {
     const std::string& list = path.keys.front().text;
     if (list == "material" || list == "source" || list == "exchange" || list == "camera" || list == "run") {
-        if (over.find(list) == nullptr) {
-            toml_text::add(over, list, toml_text::list_value({}));
-        }
-        TomlValue& items = std::ranges::find(over.entries, list, &Entry::key)->value;
-        if (find_named(items, path.keys[1].text) == nullptr) {
-            TomlValue& item = items.items.emplace_back();
+        TomlValue& tables = over.at(list);
+        tables.kind = TomlValue::Kind::array;
+        if (tables.find_named(path.keys[1].text) == nullptr) {
+            TomlValue& item = tables.items.emplace_back();
             item.kind = TomlValue::Kind::table;
-            toml_text::add(item, "name", text_value(path.keys[1].text));
+            item.set("name", text_value(path.keys[1].text));
         }
     }
     InputErrors errors;

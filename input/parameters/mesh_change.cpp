@@ -41,7 +41,7 @@ TomlValue layer(std::string name, double thickness, const Cells& cells, const To
                                               {"cells", std::move(count)},
                                               {"ratio", toml_text::quantity_value(cells.ratio, "1")}});
     if (material != nullptr) {
-        toml_text::add(table, "material", *material);
+        table.set("material", *material);
     }
     return table;
 }
@@ -55,9 +55,8 @@ void change_mesh(TomlValue& mesh, const MeshChange& change) {
         const TomlValue* share = mesh.find("surface_mass_share");
         const double outer = change.layers * (share != nullptr ? share->number : 0.5);
         TomlValue layers = toml_text::table_value({{"kind", toml_text::text_value("layers")}});
-        toml_text::add(layers, "layer",
-                       toml_text::list_value({layer("surface", outer, of_surface, material),
-                                              layer("bulk", change.layers - outer, of_bulk, material)}));
+        layers.set("layer", toml_text::list_value({layer("surface", outer, of_surface, material),
+                                                   layer("bulk", change.layers - outer, of_bulk, material)}));
         layers.in_braces = false;
         layers.place = mesh.place;
         mesh = std::move(layers);

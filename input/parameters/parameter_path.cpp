@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "input/effects/user_effects.hpp"
-#include "input/text/characters.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 #include "input/vehicle/vehicle_numbers.hpp"
@@ -21,36 +20,6 @@ namespace {
 
 using physics::Scope;
 
-const std::string* name_of(const TomlValue& table) {
-    const TomlValue* name = table.kind == TomlValue::Kind::table ? table.find("name") : nullptr;
-    return name != nullptr && name->kind == TomlValue::Kind::text ? &name->text : nullptr;
-}
-
-/// The key with which a rest of a path begins: in a list the longest name of its tables, with or without dots in it,
-/// otherwise what stands before the next dot.
-std::string_view first_key(std::string_view rest, const TomlValue* list) {
-    std::string_view found;
-    for (std::size_t i = 0; list != nullptr && i < list->items.size(); ++i) {
-        const std::string* name = name_of(list->items[i]);
-        const bool here =
-            name != nullptr && rest.starts_with(*name) && (rest.size() == name->size() || rest[name->size()] == '.');
-        if (here && found.size() < name->size()) {
-            found = rest.substr(0, name->size());
-        }
-    }
-    return found.empty() ? rest.substr(0, rest.find('.')) : found;
-}
-
-std::vector<std::string> names_in(const TomlValue& list) {
-    std::vector<std::string> names;
-    for (const TomlValue& item : list.items) {
-        if (const std::string* name = name_of(item)) {
-            names.push_back(*name);
-        }
-    }
-    return names;
-}
-
 /// A path of one key: users write "speed" for "drive.speed".
 void refuse_short(const LocatedString& path, const TomlValue& document, InputErrors& errors) {
     std::vector<std::string> signals;
@@ -62,27 +31,6 @@ void refuse_short(const LocatedString& path, const TomlValue& document, InputErr
     errors.add(path.place, fmt::format("\"{}\" is not the path of a value: table and key are wanted", path.text),
                near.empty() ? "write such as \"drive.speed\" or \"material.rubber.density\""
                             : fmt::format("did you mean \"drive.{}\"?", near));
-}
-
-Entry& entry_of(TomlValue& table, const LocatedString& key) {
-    const auto known = std::ranges::find(table.entries, key.text, &Entry::key);
-    if (known != table.entries.end()) {
-        return *known;
-    }
-    TomlValue made;
-    made.kind = TomlValue::Kind::table;
-    made.place = key.place;
-    table.entries.push_back({.key = key.text, .place = key.place, .value = std::move(made)});
-    return table.entries.back();
-}
-
-/// The first `n` keys of a path with dots between them.
-std::string joined(const std::vector<LocatedString>& keys, std::size_t n) {
-    std::string text;
-    for (std::size_t i = 0; i < n; ++i) {
-        text += (i > 0 ? "." : "") + keys[i].text;
-    }
-    return text;
 }
 
 ParameterPath path_of(std::initializer_list<std::string> keys) {
@@ -115,19 +63,7 @@ std::optional<ParameterPath> ParameterPath::parse(const LocatedString& text, con
                    "write such as \"drive.speed\"");
         return std::nullopt;
     }
-    ParameterPath path;
-    const TomlValue* at = &document;
-    for (std::size_t begin = 0; begin < text.text.size();) {
-        const bool in_list = at != nullptr && at->kind == TomlValue::Kind::array;
-        const std::string key(first_key(std::string_view(text.text).substr(begin), in_list ? at : nullptr));
-        // The text begins behind its quotation mark.
-        SourceLocation place = text.place;
-        place.column += 1 + static_cast<int>(split_characters(text.text.substr(0, begin)).size());
-        place.length = std::max<int>(1, static_cast<int>(split_characters(key).size()));
-        path.keys.push_back({key, place});
-        at = at == nullptr ? nullptr : in_list ? find_named(*at, key) : at->find(key);
-        begin += key.size() + 1;
-    }
+    ParameterPath path{.keys = split_path(text, document)};
     if (path.keys.size() == 1) {
         refuse_short(text, document, errors);
         return std::nullopt;
@@ -178,66 +114,6 @@ bool ParameterPath::is_law() const {
     return (keys.size() == 3 && keys.front().text == "material" &&
             (last == "conductivity" || last == "heat_capacity")) ||
            (keys.size() == 2 && keys.front().text == "mesh" && last == "link_conductivity");
-}
-
-const TomlValue* ParameterPath::find(const TomlValue& document) const {
-    const TomlValue* at = &document;
-    for (const LocatedString& key : keys) {
-        at = at == nullptr                        ? nullptr
-             : at->kind == TomlValue::Kind::array ? find_named(*at, key.text)
-                                                  : at->find(key.text);
-    }
-    return at;
-}
-
-bool ParameterPath::set(TomlValue& document, const TomlValue& value, InputErrors& errors) const {
-    TomlValue* at = &document;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        const LocatedString& key = keys[i];
-        const bool is_last = i + 1 == keys.size();
-        if (at->kind == TomlValue::Kind::array) {
-            const auto item = std::ranges::find_if(at->items, [&](const TomlValue& table) {
-                const std::string* name = name_of(table);
-                return name != nullptr && *name == key.text;
-            });
-            if (item == at->items.end()) {
-                const std::vector<std::string> names = names_in(*at);
-                errors.add(key.place, fmt::format("there is no \"{}\" in [[{}]]", key.text, joined(keys, i)),
-                           names.empty() ? "its tables have no names, so none can be told from the others"
-                                         : suggest(key.text, names, "names"));
-                return false;
-            }
-            if (is_last) {
-                SourceLocation whole = keys.front().place;
-                whole.length = key.place.column + key.place.length - whole.column;
-                errors.add(whole, fmt::format("\"{}\" is a table; one of its values is wanted", text()),
-                           fmt::format("go on with a key of it: \"{}.key\"", text()));
-                return false;
-            }
-            at = &*item;
-            continue;
-        }
-        if (at->kind != TomlValue::Kind::table) {
-            errors.add(key.place, fmt::format("{} is {}, which has no \"{}\"", joined(keys, i), shown(*at), key.text),
-                       fmt::format("end the path there: \"{}\"", joined(keys, i)));
-            return false;
-        }
-        Entry& entry = entry_of(*at, key);
-        if (is_last) {
-            entry.value = value;
-            return true;
-        }
-        at = &entry.value;
-    }
-    return false;
-}
-
-const TomlValue* find_named(const TomlValue& list, std::string_view name) {
-    const auto found = std::ranges::find_if(list.items, [&](const TomlValue& item) {
-        const std::string* its = name_of(item);
-        return its != nullptr && *its == name;
-    });
-    return found == list.items.end() ? nullptr : &*found;
 }
 
 std::string key_ending(Scope scope) {

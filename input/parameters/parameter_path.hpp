@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "input/toml/document.hpp"
 #include "input/toml/toml_table.hpp"
+#include "input/toml/tree.hpp"
 #include "solver/sensitivity/free_parameter.hpp"
 
 namespace tiretherm::input {
@@ -18,7 +18,7 @@ namespace tiretherm::input {
 /// "material.tread rubber.density". The same path finds the value in the document of the case, changes it there, and leads
 /// to the number of the problem that a fit may move (see resolve).
 struct ParameterPath {
-    std::vector<LocatedString> keys;  ///< each with the place that messages about it show; at least two
+    TomlPath keys;  ///< at least two
 
     /// Splits a text at its dots, those within a name of the document's lists excepted.
     /// @returns nothing after an error: an empty key, or one key alone
@@ -34,16 +34,11 @@ struct ParameterPath {
     /// A law k(T) or c(T), which is addressed by its values at temperatures: the key `at` of a [[parameter]].
     [[nodiscard]] bool is_law() const;
 
-    /// The value at the path, null where the document does not give it.
-    [[nodiscard]] const TomlValue* find(const TomlValue& document) const;
-    /// Writes a value at the path. Tables that are missing are made, as if the user had written the value there: whether
-    /// a key exists is for the reader of the case to say, and it says so at the key's place in the path.
-    /// @returns false after an error: the path meets a value, ends at a table, or names what its list does not have
-    bool set(TomlValue& document, const TomlValue& value, InputErrors& errors) const;
+    [[nodiscard]] const TomlValue* find(const TomlValue& document) const { return input::find(document, keys); }
+    bool set(TomlValue& document, const TomlValue& value, InputErrors& errors) const {
+        return input::set(document, keys, value, errors);
+    }
 };
-
-/// The table of a list that has this name, null where there is none.
-[[nodiscard]] const TomlValue* find_named(const TomlValue& list, std::string_view name);
 
 /// The ending of a key whose values differ from place to place: "_by_patch" of "h_by_patch".
 [[nodiscard]] std::string key_ending(physics::Scope scope);

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "input/effects/user_effects.hpp"
-#include "input/parameters/parameter_groups.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"

@@ -48,9 +48,11 @@ CaseTables read_tables(TomlTable& root, const std::string& name, const RunInputs
     for (const LocatedString& source : root.texts("sources")) {
         problem.sources.push_back(source.text);
     }
+    // Limits before all that they bound: a mesh is refused before its first cell is made.
     read.limits = read_limits(root);
     TireTable tire = read_tire(root);
     read.stock = read_materials(root);
+    // Layers take the tire's area and radius where they have none, and a lump's material gives the tire its density.
     MeshTable mesh = read_mesh(root, {.tire = tire, .stock = read.stock, .limits = read.limits});
     problem.tire = tire.tire;
     problem.handling = tire.handling;
@@ -62,6 +64,7 @@ CaseTables read_tables(TomlTable& root, const std::string& name, const RunInputs
     std::vector<std::string> followed = followed_columns(root.content());
     DriveTable drive = read_drive(root, run, followed);
     read.span = drive.span;
+    // Behind [drive] and the run's file: [vehicle] computes only what neither of them gives.
     const bool unreadable = run != nullptr && run->unreadable;
     VehicleTable vehicle =
         read_vehicle(root, problem.handling.magic_formula, unreadable, std::move(car), drive.signals);
@@ -75,6 +78,7 @@ CaseTables read_tables(TomlTable& root, const std::string& name, const RunInputs
 
     const EffectSurroundings around{.has_tire = tire.given, .signals = drive.signals, .run = run};
     const bool has_valid_effects = read_effects(root, around, problem);
+    // The run lasts as long as its logs, which are known now; what follows a signal over the run, or starts by it, waits for that.
     problem.settings = read_time_settings(root, read.span, run);
     problem.input_signals.start_at(problem.settings.start);
     std::ranges::move(read_fields(root, given, problem), std::back_inserter(followed));
@@ -83,12 +87,14 @@ CaseTables read_tables(TomlTable& root, const std::string& name, const RunInputs
     problem.initial = read_initial(root, problem, given, run);
 
     problem.channels = read_sensors(root, problem, tire.given, given);
+    // The channels of cameras are behind those of all sensors: see Problem::n_sensors.
     read.cameras = read_cameras(root, unreadable ? nullptr : &given, problem);
     bind_readings(root, read.cameras, problem);
     if (has_valid_effects) {
         check_effects(root, given, followed, problem);
     }
     problem.measured = read_measured(root, problem, problem.settings.start + (run != nullptr ? run->lead : 0.0));
+    // Initial state and surroundings are known: these are the temperatures at which laws must hold.
     check_laws(root, problem, read.stock);
     check_size(root, problem, read.limits);
     return read;

@@ -9,9 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "input/parameters/parameter_path.hpp"
 #include "input/tables/columns.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "input/toml/toml_text.hpp"
+#include "input/toml/tree.hpp"
 
 namespace tiretherm::input {
 
@@ -27,18 +28,13 @@ struct SpeedTable {
 };
 
 std::optional<SpeedTable> find_speed_table(TomlValue& document) {
-    const auto child = [](TomlValue& table, std::string_view key) -> TomlValue* {
-        const auto found = std::ranges::find(table.entries, key, &Entry::key);
-        return found == table.entries.end() ? nullptr : &found->value;
-    };
-    TomlValue* drive = child(document, "drive");
-    TomlValue* schedules = drive != nullptr ? child(*drive, "schedule") : nullptr;
+    TomlValue* schedules = document.find({"drive", "schedule"});
     if (schedules == nullptr) {
         return std::nullopt;
     }
     for (TomlValue& schedule : schedules->items) {
-        const TomlValue* columns = child(schedule, "columns");
-        SpeedTable table{.rows = child(schedule, "rows")};
+        const TomlValue* columns = schedule.find("columns");
+        SpeedTable table{.rows = schedule.find("rows")};
         bool has_speed = false;
         for (std::size_t i = 0; columns != nullptr && i < columns->items.size(); ++i) {
             const Heading heading = read_heading(columns->items[i].text);
@@ -138,13 +134,10 @@ ContinuedSchedule continue_schedule(const HotSpotCase& of, const solver::Setting
         time += continued.duration;
         append_row(*table, time, speed);
     }
-    TomlValue end;
-    end.kind = TomlValue::Kind::text;
+    TomlValue end = toml_text::text_value(fmt::format("{:.17g} s", time));
     end.place = document.place;
-    end.text = fmt::format("{:.17g} s", time);
     InputErrors unheard;
-    const ParameterPath path{.keys = {{"time", document.place}, {"end", document.place}}};
-    if (path.set(document, end, unheard)) {
+    if (set(document, {{"time", document.place}, {"end", document.place}}, end, unheard)) {
         continued.problem = of.problem_of(document);
     }
     if (!continued.problem) {

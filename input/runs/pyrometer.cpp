@@ -186,16 +186,6 @@ TomlValue at_place(TomlValue value, const SourceLocation& place) {
     return value;
 }
 
-TomlValue& measured_list(TomlValue& document) {
-    const auto found = std::ranges::find(document.entries, "measured", &Entry::key);
-    if (found != document.entries.end()) {
-        return found->value;
-    }
-    document.entries.push_back({.key = "measured", .place = document.place, .value = toml_text::list_value({})});
-    document.entries.back().value.place = document.place;
-    return document.entries.back().value;
-}
-
 }  // namespace
 
 void add_pyrometer_readings(TomlValue& document, const RunTable& run, const RunFile* file,
@@ -204,6 +194,7 @@ void add_pyrometer_readings(TomlValue& document, const RunTable& run, const RunF
         return;
     }
     std::vector<TomlValue> measured;
+    // The tables are read from a copy: what they give is added to the document itself.
     const TomlValue as_read = document;
     TomlTable root(as_read, "the case", errors);
     root.allow_unknown_keys();
@@ -226,14 +217,18 @@ void add_pyrometer_readings(TomlValue& document, const RunTable& run, const RunF
                                                     {"uncertainty", toml_text::quantity_value(*uncertainty, "K")},
                                                     {"source", toml_text::text_value(source)}});
             if (time) {
-                toml_text::add(one, "time", toml_text::quantity_value(*time, "s"));
+                one.set("time", toml_text::quantity_value(*time, "s"));
             }
             one = at_place(std::move(one), table.place(key));
             one.entries.front().value.place = sensors[i].place;
             measured.push_back(std::move(one));
         }
     });
-    TomlValue& list = measured_list(document);
+    TomlValue& list = document.at("measured", document.place);
+    if (list.kind == TomlValue::Kind::nothing) {
+        list.kind = TomlValue::Kind::array;
+        list.place = document.place;
+    }
     std::ranges::move(measured, std::back_inserter(list.items));
 }
 

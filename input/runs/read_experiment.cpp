@@ -3,7 +3,6 @@
 
 #include "input/runs/read_experiment.hpp"
 
-#include "input/drive/corner.hpp"
 #include "input/model/petsc_refusal.hpp"
 #include "input/runs/runs.hpp"
 #include "input/toml/document.hpp"
@@ -26,10 +25,9 @@ ExperimentReading read_experiment(const std::filesystem::path& file, const std::
     ExperimentReading reading;
     Runs runs;
     if (std::optional<TomlValue> document = read_document(file, errors)) {
-        for (Entry& entry : document->entries) {
-            if (entry.key == "mesh") {
-                change_mesh(entry.value, change);
-            }
+        // Before anything is read, so that all that refers to the mesh is read for the changed one.
+        if (TomlValue* mesh = document->find("mesh")) {
+            change_mesh(*mesh, change);
         }
         runs = read_runs(*document, case_name(file), data, mode, errors);
         refuse_petsc(*document, errors);

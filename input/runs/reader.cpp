@@ -12,7 +12,6 @@
 #include "input/runs/runs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
-#include "input/toml/document.hpp"
 
 namespace tiretherm::input {
 
@@ -21,6 +20,7 @@ namespace fs = std::filesystem;
 std::string case_name(const fs::path& file) {
     std::error_code error;
     const fs::path whole = fs::absolute(file, error).lexically_normal();
+    // From the last folder of that name on: a case of the library is called the same wherever the library lies.
     fs::path below;
     bool found = false;
     for (const fs::path& part : whole.parent_path()) {

@@ -36,6 +36,7 @@ Recording recording_of(const RunFile& file, const RunInputs& inputs, const solve
         recording.time_unit = file.file.heads()[static_cast<std::size_t>(file.columns.time)].heading.unit.value_or("");
     }
     for (const UsedColumn& column : file.columns.used) {
+        // A column that is an input and a sensor is looked at once, as the input.
         if (column.input != nullptr) {
             RecordedColumn recorded = recorded_column(file, column, column.input->unit);
             recorded.is_input = true;

@@ -23,40 +23,33 @@
 #include "input/runs/run_being_read.hpp"
 #include "input/runs/run_readings.hpp"
 #include "input/text/word_lists.hpp"
+#include "input/toml/toml_text.hpp"
 #include "input/vehicle/vehicle_log.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
+// A run may differ in how it was driven and what it measured. Its mesh and its effects are those of the case: one number of a
+// model belongs to all runs. A corner may have values of effects of its own, as its camber or its brake differ.
 constexpr std::array<std::string_view, 5> tables_of_a_run{"drive", "initial", "time", "measured", "vehicle"};
 constexpr std::array<std::string_view, 4> tables_of_a_corner{"drive", "initial", "measured", "effects"};
-
-/// The car of the case, with the wheel that the run is of.
-TomlValue at_corner(TomlValue vehicle, const RunTable& run) {
-    std::erase_if(vehicle.entries, [](const Entry& entry) { return entry.key == "corner"; });
-    TomlValue corner;
-    corner.kind = TomlValue::Kind::text;
-    corner.text = run.corner;
-    corner.place = run.corner_table->place;
-    vehicle.entries.push_back({.key = "corner", .place = corner.place, .value = std::move(corner)});
-    return vehicle;
-}
 
 /// The case with what is said of the corner laid over it, then of the run, then of the corner in this run.
 TomlValue merged_document(const TomlValue& document, const RunTable& run) {
     TomlValue merged = document;
-    const auto vehicle = std::ranges::find(merged.entries, "vehicle", &Entry::key);
-    if (run.corner_table != nullptr && vehicle != merged.entries.end()) {
-        vehicle->value = at_corner(std::move(vehicle->value), run);
-    }
     if (run.corner_table != nullptr) {
+        if (TomlValue* vehicle = merged.find("vehicle")) {
+            TomlValue corner = toml_text::text_value(run.corner);
+            corner.place = run.corner_table->place;
+            vehicle->remove("corner");
+            vehicle->set("corner", corner, corner.place);
+        }
         override_tables(merged, *run.corner_table, tables_of_a_corner);
     }
     if (run.table != nullptr) {
         override_tables(merged, *run.table, tables_of_a_run);
-        const TomlValue* corners = run.table->find("corner");
-        if (const TomlValue* own = corners != nullptr ? corners->find(run.corner) : nullptr) {
+        if (const TomlValue* own = run.table->find({"corner", run.corner})) {
             override_tables(merged, *own, tables_of_a_run);
         }
     }
@@ -81,8 +74,7 @@ void warn_of_exchanged_sides(std::span<const MeasuredRun> runs, const TurnsKnown
 
 /// The first lap is repeated with the columns of the run's own file.
 void warn_of_files_beside_laps(const TomlValue& document, const RunTable& run, InputErrors& errors) {
-    const TomlValue* drive = document.find("drive");
-    const TomlValue* files = drive != nullptr ? drive->find("file") : nullptr;
+    const TomlValue* files = document.find({"drive", "file"});
     if (run.repeat_first_lap > 0 && files != nullptr) {
         errors.warn(files->place,
                     "repeat_first_lap repeats the columns of the run's file, and not those of [[drive.file]]: while "
@@ -291,6 +283,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
             *runs.emplace_back(new RunBeingRead{.table = table, .document = merged_document(document, table)});
         read_run(reading, common, std::move(car), read, errors);
     }
+    // A column may be known to one run's file and not to another's: which keys name none is known behind the last of them.
     for (const auto& one : runs) {
         one->table.keys->report_unknown_columns(errors);
     }

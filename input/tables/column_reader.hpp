@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/loggers/clock.hpp"
+#include "input/clock/clock.hpp"
 #include "input/tables/columns.hpp"
 #include "input/text/error_limiter.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "input/loggers/clock.hpp"
+#include "input/clock/clock.hpp"
 #include "input/loggers/csv_layout.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/characters.hpp"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "input/loggers/clock_columns.hpp"
-#include "input/loggers/clock_words.hpp"
+#include "input/clock/clock_columns.hpp"
+#include "input/clock/clock_words.hpp"
 #include "input/loggers/csv_layout.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/tables/csv_rows.hpp"

@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
+#include "input/clock/clock_times.hpp"
 #include "input/files/enough_memory.hpp"
 #include "input/files/regular_file.hpp"
 #include "input/loggers/binary_logs.hpp"
-#include "input/loggers/clock_times.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/tables/channel_rows.hpp"

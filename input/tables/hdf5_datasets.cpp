@@ -14,9 +14,9 @@
 
 #include "input/files/nearby_file.hpp"
 #include "input/files/regular_file.hpp"
-#include "input/tables/hdf5_extent.hpp"
-#include "input/tables/hdf5_handle.hpp"
-#include "input/tables/hdf5_trial.hpp"
+#include "input/hdf5/hdf5_extent.hpp"
+#include "input/hdf5/hdf5_handle.hpp"
+#include "input/hdf5/hdf5_trial.hpp"
 #include "input/text/characters.hpp"
 #include "input/text/word_lists.hpp"
 

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "input/files/run_name.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/toml/tree.hpp"
 
 namespace tiretherm::input {
 
@@ -123,65 +123,6 @@ std::vector<TomlValue> listed_texts(const TomlValue& value, std::string_view key
     return texts;
 }
 
-/// The table of a list that a path goes on with by its name: "spot" of "spot" and "tread" of "tread.thickness", whatever dots and
-/// blanks the name has; the end of the list where there is none.
-std::vector<TomlValue>::iterator named_item(TomlValue& list, std::string_view rest) {
-    return std::ranges::find_if(list.items, [&](const TomlValue& item) {
-        const TomlValue* name = item.find("name");
-        return name != nullptr && name->kind == TomlValue::Kind::text && !name->text.empty() &&
-               (rest == name->text || rest.starts_with(name->text + "."));
-    });
-}
-
-std::vector<std::string> names_in(const TomlValue& list) {
-    std::vector<std::string> names;
-    for (const TomlValue& item : list.items) {
-        if (const TomlValue* name = item.find("name"); name != nullptr) {
-            names.push_back(name->text);
-        }
-    }
-    return names;
-}
-
-/// Takes a key away from what has been included. @param path "drive.air_temperature", or "sensor.spot" of a list
-void unset(TomlValue& included, const TomlValue& path, InputErrors& errors) {
-    TomlValue* table = &included;
-    std::string_view rest = path.text;
-    while (true) {
-        const std::size_t dot = rest.find('.');
-        const std::string key(rest.substr(0, dot));
-        const auto found = std::ranges::find(table->entries, key, &Entry::key);
-        if (found == table->entries.end()) {
-            std::vector<std::string> keys;
-            std::ranges::transform(table->entries, std::back_inserter(keys), &Entry::key);
-            errors.add(path.place, fmt::format("unset: no included file has \"{}\"", path.text),
-                       suggest(key, keys, "keys there"));
-            return;
-        }
-        if (dot == std::string_view::npos) {
-            table->entries.erase(found);
-            return;
-        }
-        table = &found->value;
-        rest.remove_prefix(dot + 1);
-        if (table->kind == TomlValue::Kind::array) {
-            const auto item = named_item(*table, rest);
-            if (item == table->items.end()) {
-                errors.add(path.place, fmt::format("unset: no included file has \"{}\"", path.text),
-                           suggest(std::string(rest), names_in(*table), fmt::format("names in [[{}]]", key)));
-                return;
-            }
-            const std::size_t name = item->find("name")->text.size();
-            if (name == rest.size()) {
-                table->items.erase(item);
-                return;
-            }
-            table = &*item;
-            rest.remove_prefix(name + 1);
-        }
-    }
-}
-
 constexpr std::size_t most_files_open = 64;  // a case and what it includes, one within the other
 
 /// Reads files and what they include. A file that is mentioned twice is read and merged once.
@@ -263,7 +204,7 @@ private:
         }
         if (complete) {
             for (const TomlValue& key : unwanted) {
-                unset(merged, key, *errors_);
+                unset(merged, {key.text, key.place}, *errors_);
             }
         }
         merge(merged, std::move(*own), 0);
@@ -276,12 +217,6 @@ private:
 };
 
 }  // namespace
-
-const TomlValue* TomlValue::find(std::string_view key) const {
-    const auto found =
-        std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.key == key; });
-    return found == entries.end() ? nullptr : &found->value;
-}
 
 std::string shown(const TomlValue& node) {
     switch (node.kind) {

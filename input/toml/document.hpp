@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,24 @@ struct TomlValue {
 
     [[nodiscard]] bool is_number() const { return kind == Kind::integer || kind == Kind::real; }
     [[nodiscard]] const TomlValue* find(std::string_view key) const;  ///< null when absent
+    [[nodiscard]] TomlValue* find(std::string_view key);
+    /// The value below these keys of tables, null when one of them is absent.
+    [[nodiscard]] const TomlValue* find(std::initializer_list<std::string_view> keys) const;
+    [[nodiscard]] TomlValue* find(std::initializer_list<std::string_view> keys);
+    /// The table of a list that has this name, null where there is none.
+    [[nodiscard]] const TomlValue* find_named(std::string_view name) const;
+    [[nodiscard]] TomlValue* find_named(std::string_view name);
+    /// The value of a key, nothing yet where the key is new. @param place of a new key
+    TomlValue& at(std::string_view key, const SourceLocation& place = {});
+    /// Gives a key a value in the place of any other. @param place of a new key
+    void set(std::string_view key, TomlValue value, const SourceLocation& place = {});
+    void remove(std::string_view key);
+};
+
+/// A text with the place where it stands.
+struct LocatedString {
+    std::string text;
+    SourceLocation place;
 };
 
 /// A key of a table, with the place of the key itself.

@@ -15,13 +15,6 @@
 #include "input/toml/document.hpp"
 
 namespace tiretherm::input {
-
-/// A text and where it stands.
-struct LocatedString {
-    std::string text;
-    SourceLocation place;
-};
-
 /// A table that is being read. Forms, units, ranges and needs of its keys are those of its description (keys_of_table). A
 /// wrong value becomes an error and is returned as if it were absent; at the end of its life the table reports the keys
 /// that nobody has read.

@@ -160,13 +160,9 @@ TomlValue table_value(std::vector<std::pair<std::string, TomlValue>> entries) {
     node.kind = TomlValue::Kind::table;
     node.in_braces = true;
     for (auto& [name, its] : entries) {
-        add(node, std::move(name), std::move(its));
+        node.set(name, std::move(its));
     }
     return node;
-}
-
-void add(TomlValue& table, std::string key, TomlValue value) {
-    table.entries.push_back({.key = std::move(key), .place = {}, .value = std::move(value)});
 }
 
 }  // namespace tiretherm::input::toml_text

@@ -36,8 +36,7 @@ namespace tiretherm::input::toml_text {
 [[nodiscard]] TomlValue path_value(const std::filesystem::path& file, const std::filesystem::path& folder);
 [[nodiscard]] TomlValue list_value(std::vector<TomlValue> items);
 [[nodiscard]] TomlValue texts_value(const std::vector<std::string>& texts);
-/// A table in braces. @param entries may be empty, to be filled by `add`
+/// A table in braces.
 [[nodiscard]] TomlValue table_value(std::vector<std::pair<std::string, TomlValue>> entries = {});
-void add(TomlValue& table, std::string key, TomlValue value);
 
 }  // namespace tiretherm::input::toml_text

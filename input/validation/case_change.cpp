@@ -19,21 +19,13 @@ namespace {
 /// Whether a number of a case and the value of an input are the same, up to the rounding of their units.
 bool is_same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
 
-TomlValue* child(TomlValue* table, std::string_view key) {
-    if (table == nullptr) {
-        return nullptr;
-    }
-    const auto found = std::ranges::find(table->entries, key, &Entry::key);
-    return found == table->entries.end() ? nullptr : &found->value;
-}
-
 /// Calls visit(cell, conversion to SI) for each number of the columns of the schedules that have this name.
 template <typename Visit>
 void visit_column(TomlValue& document, std::string_view name, const QuantitySpec& spec, const Visit& visit) {
-    TomlValue* schedules = child(child(&document, "drive"), "schedule");
+    TomlValue* schedules = document.find({"drive", "schedule"});
     for (std::size_t s = 0; schedules != nullptr && s < schedules->items.size(); ++s) {
-        const TomlValue* columns = child(&schedules->items[s], "columns");
-        TomlValue* rows = child(&schedules->items[s], "rows");
+        const TomlValue* columns = schedules->items[s].find("columns");
+        TomlValue* rows = schedules->items[s].find("rows");
         for (std::size_t c = 0; columns != nullptr && rows != nullptr && c < columns->items.size(); ++c) {
             const Heading heading = read_heading(columns->items[c].text);
             if (heading.name != name) {
@@ -125,8 +117,8 @@ InputTrace find_in_case(const InputDefinition& input, const TomlValue& document)
 
 void change_case(const InputDefinition& input, std::size_t end, TomlValue& document, InputErrors& errors) {
     // Numbers that stand beside a run belong to the unchanged test: their times may be beyond the end of this one.
-    std::erase_if(document.entries,
-                  [](const Entry& entry) { return entry.key == "measured" || entry.key == "pyrometer"; });
+    document.remove("measured");
+    document.remove("pyrometer");
     const Measure& value = input.ends[end];
     if (input.action == InputAction::keys) {
         for (const LocatedString& key : input.keys) {
@@ -150,8 +142,7 @@ void change_case(const InputDefinition& input, std::size_t end, TomlValue& docum
         visit_column(document, "time", quantity_specs::moment, [&](TomlValue& cell, const Conversion& unit) {
             write_number(cell, unit.from_si(moved_moment(unit.to_si(cell.number), input.parts, length)));
         });
-        if (TomlValue* last = child(child(&document, "time"), "end");
-            last != nullptr && last->kind == TomlValue::Kind::text) {
+        if (TomlValue* last = document.find({"time", "end"}); last != nullptr && last->kind == TomlValue::Kind::text) {
             const ParsedQuantity old_end = parse_quantity(last->text, quantity_specs::moment, "end");
             last->text = fmt::format("{:.17g} s", moved_moment(old_end.value, input.parts, length));
         }

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "input/loggers/car_columns.hpp"
-#include "input/tables/data_file.hpp"
 #include "input/vehicle/at_times.hpp"
 #include "input/vehicle/clock_shift.hpp"
 #include "physics/vehicle/local_mean.hpp"

@@ -40,12 +40,6 @@ void warn_of_limits(const CornerHistory& corner, const VehicleSettings& settings
     }
 }
 
-bool delays_speed(const TomlValue& document) {
-    const TomlValue* effects = document.find("effects");
-    const TomlValue* delay = effects != nullptr ? effects->find("input_delay") : nullptr;
-    return delay != nullptr && delay->find("speed") != nullptr;
-}
-
 }  // namespace
 
 VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFormula>& law, bool unreadable,
@@ -68,7 +62,7 @@ VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFor
     }
     std::optional<VehicleLog> log = find_vehicle_log(signals, settings->place, errors);
     if (log) {
-        log->speed_is_brought_back = delays_speed(root.content());
+        log->speed_is_brought_back = root.content().find({"effects", "input_delay", "speed"}) != nullptr;
     }
     std::vector<std::string> names;
     std::vector<std::string> kept;
@@ -78,6 +72,7 @@ VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFor
         if (slip_ratio && (!settings->has_slip_ratio() || given.contains("slip_speed"))) {
             continue;
         }
+        // A load that was measured is better than one that is computed.
         const bool is_new = given.try_emplace(std::string(one.signal->name), settings->place).second;
         (is_new ? names : kept).emplace_back(one.signal->name);
         if (is_new) {
@@ -97,6 +92,7 @@ VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFor
     const MotionHistory& motion = read.car->history;
     read.course_agrees = motion.course_agrees;
     solver::InputSignals& inputs = signals.inputs;
+    // A disc cools to the air around it: without that there is no temperature of it.
     const bool has_disc = inputs.gives(*physics::find_signal("air_temperature")) &&
                           given.try_emplace("brake_temperature", settings->place).second;
     const auto model =

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "input/tables/hdf5_handle.hpp"
+#include "input/hdf5/hdf5_handle.hpp"
 
 namespace tiretherm::post {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "input/loggers/clock_times.hpp"
+#include "input/clock/clock_times.hpp"
 #include "input/loggers/read_back.hpp"
 #include "input/measurements/measured_bench.hpp"
 

@@ -107,7 +107,7 @@ struct Place {
 TomlValue& found_at(TomlValue& root, const Place& place) {
     TomlValue* node = &root;
     for (const auto& [key, item] : place.steps) {
-        node = &std::ranges::find(node->entries, key, &Entry::key)->value;
+        node = node->find(key);
         node = node->kind == TomlValue::Kind::array ? &node->items[item] : node;
     }
     return *node;
@@ -199,9 +199,9 @@ struct Changed {
 Changed changed(TomlValue document, const Place& place, const std::string& key, const Value& value) {
     constexpr std::string_view mark = "\"@@\"";
     TomlValue& at = found_at(document, place);
-    std::erase_if(at.entries, [&](const Entry& entry) { return entry.key == key; });
+    at.remove(key);
     if (!value.literal.empty()) {
-        toml_text::add(at, key, toml_text::text_value("@@"));
+        at.set(key, toml_text::text_value("@@"));
     }
     Changed result{.content = toml_text::document(document)};
     const std::size_t begin = std::min(result.content.find(mark), result.content.size());

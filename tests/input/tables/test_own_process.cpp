@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "input/tables/own_process.hpp"
+#include "input/hdf5/own_process.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {

@@ -21,15 +21,9 @@ TomlValue document(const Written& written, InputErrors& errors) {
 
 const TomlValue& at(const TomlValue& node, std::initializer_list<std::string_view> keys) {
     static const TomlValue nothing;
-    const TomlValue* found = &node;
-    for (const std::string_view key : keys) {
-        found = found->find(key);
-        if (found == nullptr) {
-            ADD_FAILURE() << "no " << key;
-            return nothing;
-        }
-    }
-    return *found;
+    const TomlValue* found = node.find(keys);
+    EXPECT_NE(found, nullptr);
+    return found != nullptr ? *found : nothing;
 }
 
 std::string place(const InputErrors& errors, const TomlValue& node) {
@@ -153,6 +147,25 @@ TEST(Toml, PlacesCountCharactersAndSurviveEveryKindOfValue) {
     for (std::size_t i = 0; i < items.size(); ++i) {
         EXPECT_EQ(shown(items[i]), expected[i]);
     }
+}
+
+// A key stands once in a table: where it is known it keeps its place in the file, at line 2, and gets the new value.
+TEST(Toml, AKeyIsWrittenInThePlaceOfItsOldValueAndTakenAway) {
+    const Written written;
+    written.add("case.toml", "[drive]\nspeed = 1\n");
+    InputErrors errors;
+    TomlValue merged = document(written, errors);
+    TomlValue two = at(merged, {"drive", "speed"});
+    two.number = 2.0;
+    ASSERT_NE(merged.find("drive"), nullptr);
+    merged.find("drive")->set("speed", two);
+    merged.find("drive")->set("camber", two);
+    EXPECT_EQ(at(merged, {"drive", "speed"}).number, 2.0);
+    EXPECT_EQ(place(errors, at(merged, {"drive", "speed"})), "case.toml:2:9");
+    EXPECT_EQ(at(merged, {"drive"}).entries.size(), 2U);
+    merged.find("drive")->remove("speed");
+    EXPECT_EQ(merged.find({"drive", "speed"}), nullptr);
+    EXPECT_EQ(merged.find({"nothing", "speed"}), nullptr);
 }
 
 }  // namespace tiretherm::input

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "input/loggers/clock.hpp"
+#include "input/clock/clock.hpp"
 #include "input/tables/columns.hpp"
 
 namespace tiretherm::input {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "input/loggers/clock.hpp"
+#include "input/clock/clock.hpp"
 
 namespace tiretherm::input {
 

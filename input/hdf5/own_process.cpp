@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A child made by fork, with a pipe for its answer and limits of its own.
 
-#include "input/tables/own_process.hpp"
+#include "input/hdf5/own_process.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

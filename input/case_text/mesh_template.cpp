@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a new case takes from the library's cases of the thesis's tire.
-#include "input/new_case/mesh_template.hpp"
+#include "input/case_text/mesh_template.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
-#include "input/new_case/shipped_cases.hpp"
+#include "input/case_text/shipped_cases.hpp"
 #include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {

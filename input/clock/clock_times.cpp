@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Decides the order of dates, and counts on over midnight and the hours of daylight saving.
 
-#include "input/loggers/clock_times.hpp"
+#include "input/clock/clock_times.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "input/loggers/clock_words.hpp"
+#include "input/clock/clock_words.hpp"
 
 namespace tiretherm::input {
 

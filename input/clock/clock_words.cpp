@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists of months, weekdays, zones and of what units say of clocks.
 
-#include "input/loggers/clock_words.hpp"
+#include "input/clock/clock_words.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include <hdf5.h>
 
-#include "input/tables/own_process.hpp"
+#include "input/hdf5/own_process.hpp"
 
 namespace tiretherm::input {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "input/loggers/clock_times.hpp"
+#include "input/clock/clock_times.hpp"
 
 namespace tiretherm::input {
 

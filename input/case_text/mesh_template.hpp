@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/new_case/case_parts.hpp"
+#include "input/case_text/case_parts.hpp"
 #include "input/text/quantity.hpp"
 
 namespace tiretherm::input {

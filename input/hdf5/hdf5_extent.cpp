@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compares the shape of a dataset with what is stored of it.
 
-#include "input/tables/hdf5_extent.hpp"
+#include "input/hdf5/hdf5_extent.hpp"
 
 #include <algorithm>
 #include <limits>

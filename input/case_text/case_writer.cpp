@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The text of a case as it is written.
-#include "input/new_case/case_writer.hpp"
+#include "input/case_text/case_writer.hpp"
 
 #include <algorithm>
 

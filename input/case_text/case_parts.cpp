@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cuts the text of a case file into its tables.
-#include "input/new_case/case_parts.hpp"
+#include "input/case_text/case_parts.hpp"
 
 #include <algorithm>
 
-#include "input/new_case/case_writer.hpp"
+#include "input/case_text/case_writer.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/characters.hpp"
 

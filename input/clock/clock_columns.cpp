@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Knows times by what loggers call them and by their first fields.
 
-#include "input/loggers/clock_columns.hpp"
+#include "input/clock/clock_columns.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Visits the objects of an HDF5 file; what it reads is dropped.
 
-#include "input/tables/hdf5_trial.hpp"
+#include "input/hdf5/hdf5_trial.hpp"
 
 #include <cstdint>
 #include <map>
@@ -11,8 +11,8 @@
 #include <tuple>
 #include <vector>
 
-#include "input/tables/hdf5_handle.hpp"
-#include "input/tables/own_process.hpp"
+#include "input/hdf5/hdf5_handle.hpp"
+#include "input/hdf5/own_process.hpp"
 
 namespace tiretherm::input {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Takes a clock apart from left to right: numbers, words, an offset from UTC.
 
-#include "input/loggers/clock.hpp"
+#include "input/clock/clock.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-#include "input/loggers/clock_words.hpp"
+#include "input/clock/clock_words.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/characters.hpp"
 

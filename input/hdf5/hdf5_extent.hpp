@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "input/tables/hdf5_handle.hpp"
+#include "input/hdf5/hdf5_handle.hpp"
 #include "input/text/input_error.hpp"
 
 namespace tiretherm::input {
