@@ -3,6 +3,7 @@
 #include "post/page/html_page.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -47,10 +48,22 @@ std::string with_degree_sign(std::string text) {
     return text;
 }
 
+/// Whether a long name may be broken behind this place, where a screen is narrow: "tan_|delta_a", "cases/|durability", but
+/// neither "km/h" nor "0.57".
+bool may_break(std::string_view text, std::size_t at) {
+    constexpr std::size_t is_no_unit = 5;  // letters behind a stroke; an ending has fewer, too
+    const std::string_view behind = text.substr(at + 1, is_no_unit);
+    const bool is_word = behind.size() == is_no_unit &&
+                         std::ranges::all_of(behind, [](unsigned char c) { return std::isalpha(c) != 0 || c == '_'; });
+    return text[at] == '_' || ((text[at] == '.' || text[at] == '/') && is_word);
+}
+
 /// A text of the program or of the user's files as text of HTML.
-std::string html(std::string_view text) {
+std::string html(std::string_view words, bool with_breaks = false) {
     std::string out;
-    for (const char c : with_degree_sign(input::printable(text))) {
+    const std::string text = with_degree_sign(input::printable(words));
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
         switch (c) {
             case '&':
                 out += "&amp;";
@@ -67,9 +80,13 @@ std::string html(std::string_view text) {
             default:
                 out += c;
         }
+        out += with_breaks && may_break(text, at) ? "<wbr>" : "";
     }
     return out;
 }
+
+/// The same with places where long names may be broken.
+std::string breakable(std::string_view text) { return html(text, true); }
 
 /// "Heat budget" as the name of a place in the page: "heat-budget".
 std::string anchor(std::string_view heading) {
@@ -82,42 +99,16 @@ std::string anchor(std::string_view heading) {
     return name;
 }
 
-/// A name of a table may be broken behind its underscores, where a screen is narrow.
-std::string cell_html(std::string_view cell) {
-    std::string text = html(cell);
-    replace_all(text, "_", "_<wbr>");
-    return text;
-}
-
-/// For each column its class: numbers stand to the right, long texts need some width where they are broken into lines.
-std::vector<const char*> classes_of(const DataTable& table, const PageColumns& columns) {
-    constexpr std::size_t is_long = 24;  // letters
-    std::vector<const char*> classes;
-    for (const bool right : columns.to_right) {
-        classes.push_back(right ? " class=\"right\"" : "");
-    }
-    for (const DataTable::Row& row : table.rows()) {
-        std::size_t column = 0;
-        for (const Field& field : row) {
-            column += field.on_page ? 1 : 0;
-            if (field.on_page && !columns.to_right[column - 1] && columns_of(field.cell.text) > is_long) {
-                classes[column - 1] = " class=\"long\"";
-            }
-        }
-    }
-    return classes;
-}
-
 std::string table_html(const DataTable& table) {
     const PageColumns columns = page_columns(table);
-    const std::vector<const char*> classes = classes_of(table, columns);
-    const auto side = [&](std::size_t column) { return classes[column]; };
+    const auto side = [&](std::size_t column) { return columns.to_right[column] ? " class=\"right\"" : ""; };
     std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table>\n";
     if (std::ranges::any_of(columns.headings, [](const std::string& heading) { return !heading.empty(); })) {
         text += "<thead><tr>";
         for (std::size_t i = 0; i < columns.headings.size(); ++i) {
             const std::string& heading = columns.headings[i];
-            text += heading.empty() ? "<td></td>" : fmt::format("<th scope=\"col\"{}>{}</th>", side(i), html(heading));
+            text +=
+                heading.empty() ? "<td></td>" : fmt::format("<th scope=\"col\"{}>{}</th>", side(i), breakable(heading));
         }
         text += "</tr></thead>\n";
     }
@@ -127,7 +118,7 @@ std::string table_html(const DataTable& table) {
         std::size_t column = 0;
         for (const Field& field : row) {
             if (field.on_page) {
-                text += fmt::format("<td{}>{}</td>", side(column), cell_html(field.cell.text));
+                text += fmt::format("<td{}>{}</td>", side(column), breakable(field.cell.text));
                 ++column;
             }
         }
@@ -175,13 +166,13 @@ std::string blocks_html(const std::vector<PageItem>& blocks, int level) {
         }
         switch (block.kind) {
             case PageItem::Kind::paragraph:
-                text += fmt::format("<p>{}</p>\n", html(block.text));
+                text += fmt::format("<p>{}</p>\n", breakable(block.text));
                 break;
             case PageItem::Kind::item:
-                text += fmt::format("<li>{}</li>\n", html(block.text));
+                text += fmt::format("<li>{}</li>\n", breakable(block.text));
                 break;
             case PageItem::Kind::line:
-                text += fmt::format("<pre>{}</pre>\n", html(block.text));
+                text += fmt::format("<pre>{}</pre>\n", breakable(block.text));
                 break;
             case PageItem::Kind::gap:
                 break;
@@ -189,7 +180,7 @@ std::string blocks_html(const std::vector<PageItem>& blocks, int level) {
                 text += table_html(block.table);
                 break;
             case PageItem::Kind::part:
-                text += fmt::format("<h{0}>{1}</h{0}>\n", level, html(block.text)) +
+                text += fmt::format("<h{0}>{1}</h{0}>\n", level, breakable(block.text)) +
                         blocks_html(block.blocks, std::min(level + 1, 6));
                 break;
             case PageItem::Kind::chart:
@@ -219,12 +210,12 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
         "{}</title>\n<style>\n",
         html(report.title), html(origin.kind));
     text += assets::style();
-    text += fmt::format("</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n", html(report.title));
+    text += fmt::format("</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n", breakable(report.title));
     for (const std::string& line : report.verdict) {
-        text += fmt::format("<p class=\"verdict\">{}</p>\n", html(line));
+        text += fmt::format("<p class=\"verdict\">{}</p>\n", breakable(line));
     }
     for (const std::string& line : report.lead) {
-        text += fmt::format("<p class=\"lead\">{}</p>\n", html(line));
+        text += fmt::format("<p class=\"lead\">{}</p>\n", breakable(line));
     }
     std::string contents;
     std::string sections;
@@ -238,7 +229,7 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
         } else {
             const std::string name = anchor(heading);
             contents += fmt::format("<a href=\"#{}\">{}</a>", name, html(heading));
-            sections += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", name, html(heading));
+            sections += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", name, breakable(heading));
         }
         sections += blocks_html(section.blocks(), 3) + "</section>\n";
     };
@@ -255,8 +246,7 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
                         data_html(report, origin));
     text += fmt::format(
         "<footer>tiretherm {} {}{}. Charts: ctrl + wheel or + and - zoom, drag or the arrows move, 0 shows all. Drawn "
-        "with Apache "
-        "ECharts.</footer>\n",
+        "with Apache ECharts.</footer>\n",
         TIRETHERM_VERSION, html(origin.kind), origin.source.empty() ? "" : " of " + html(origin.source));
     text += "<script>\n";
     text += assets::charting_library();

@@ -1,18 +1,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page is laid out for its window: panels stand below one another, tables show numbers, fields have a scale; and every chart
-becomes a picture."""
+"""A page is laid out for its window: panels stand below one another, tables are seen whole on a phone, no word is broken, fields
+have a scale; and every chart becomes a picture."""
 import json
 import subprocess
 
 PANELS = """return tiretherm.charts.filter((chart) => chart.data.kind === "lines").map((chart) =>
   chart.echart.getModel().queryComponents({mainType: "grid"}).map((grid) => grid.coordinateSystem.getRect()).map((r) => [r.x, r.width]))"""
-# Of each table with numbers: whether its first number and its first name are seen together.
-NUMBERS = """return [...document.querySelectorAll(".scroll")].flatMap((box) => {
-  const row = box.querySelector("tbody td.right") && box.querySelector("tbody tr"), name = row && row.cells[0];
-  const cell = row && [...row.cells].slice(1).find((one) => /\\d/.test(one.textContent));
-  const right = (e) => e.getBoundingClientRect().right;
-  return !cell || right(cell) <= right(box) + 1 ? [] : [name.textContent];
+# Of each table: whether all of it is seen on a phone, where nobody scrolls a table sideways.
+TABLES = """const right = (e) => e.getBoundingClientRect().right;
+return innerWidth > 620 ? [] : [...document.querySelectorAll(".scroll")].flatMap((box) => {
+  const beyond = [...box.querySelectorAll("td, th")].find((cell) => cell.getClientRects().length && right(cell) > right(box) + 1);
+  return beyond ? [beyond.textContent] : [];
 })"""
+# Words that are broken within themselves: only behind "_", "." and "/" a name goes on in the next line.
+WORDS = """const broken = new Set(), range = document.createRange();
+for (const of of document.querySelectorAll("h1, h2, h3, .verdict, th, td, p, li")) {
+  for (const node of [...of.childNodes].filter((one) => one.nodeType === Node.TEXT_NODE)) {
+    for (const word of node.data.matchAll(/[\\p{L}\\d]{3,}/gu)) {
+      range.setStart(node, word.index);
+      range.setEnd(node, word.index + word[0].length);
+      if (new Set([...range.getClientRects()].map((rect) => Math.round(rect.top))).size > 1) broken.add(word[0]);
+    }
+  }
+}
+return [...broken].slice(0, 5);"""
 SCALES = """return tiretherm.charts.filter((chart) => ["field", "cells"].includes(chart.data.kind)
   && chart.echart.getOption().visualMap[0].show === false).length"""
 LEGENDS = """return tiretherm.charts.filter((chart) => chart.data.kind === "lines").filter((chart) => {
@@ -23,12 +34,13 @@ LEGENDS = """return tiretherm.charts.filter((chart) => chart.data.kind === "line
 
 
 def wrong_layout(browser):
-    """Panels over one axis begin and end at the same pixels, in all charts of a page; numbers and scales are seen."""
+    """Panels over one axis begin and end at the same pixels, in all charts of a page; tables, words and scales are seen whole."""
     said = []
     panels = {tuple(panel) for chart in browser.run(PANELS) for panel in chart}
     if len(panels) > 1:
         said.append(f"panels do not stand below one another: {sorted(panels)}")
-    said += [f"the table that begins with {name!r} shows no number" for name in browser.run(NUMBERS)]
+    said += [f"{text!r} of a table lies beyond the edge" for text in browser.run(TABLES)]
+    said += [f"the word {word!r} is broken" for word in browser.run(WORDS)]
     if without := browser.run(SCALES):
         said.append(f"{without} fields have no scale")
     return said

@@ -4,7 +4,7 @@
 //   cells: rectangles with a colour for their value, over numbers or words
 const mapsAndBars = (function () {
   "use strict";
-  const { number, named, plain, inferno, signed, widthOf } = chartParts;
+  const { number, named, plain, inferno, signed, widthOf, folded } = chartParts;
 
   // A level as a line across the bars; its name stands above.
   function levelsOf(data, look) {
@@ -24,8 +24,9 @@ const mapsAndBars = (function () {
 
   function bars(data, look, width) {
     const items = [...data.items].reverse(), names = data.series || [], of = Math.max(names.length, 1);
-    const small = width < 560, top = (names.length ? 34 : 12) + ((data.levels || []).some((level) => level.name) ? 20 : 0);
-    const height = top + 62 + (16 + 16 * of) * items.length;
+    const small = width < 560, top = 10 + (names.length ? 24 * chartParts.rowsOf(names, width - 24) : 0) + ((data.levels || []).some((level) => level.name) ? 20 : 0);
+    const above = small ? 18 : 0;  // px for the name, which stands over its bars where there is no room beside them
+    const height = top + 62 + (16 + 16 * of + above) * items.length;
     const shade = (i) => chartParts.curve(i, look).colour;
     const label = { show: true, position: "right", color: look.ink, formatter: (p) => number(p.value) };
     const series = names.length
@@ -35,15 +36,16 @@ const mapsAndBars = (function () {
             ...(item.marked ? { borderColor: look.ink, borderWidth: 2 } : {}) }, label: { position: item.value < 0 ? "left" : "right" } })) }];
     if ((data.levels || []).length) series[0].markLine = levelsOf(data, look);
     if (items.some((item) => item.low !== undefined)) series.push(intervals(items, look));
-    const longest = small ? 130 : 340;
+    const least = items.some((item) => item.value < 0) ? (small ? "24%" : "9%") : 0;
     return { height, option: {
       grid: { left: 10, right: 64, top, bottom: 46, containLabel: true },
       legend: { show: names.length > 0, top: 2, data: names, textStyle: { color: look.ink } },
       // Beyond the longest bar there is room for its number.
-      xAxis: { type: "value", boundaryGap: [items.some((item) => item.value < 0) ? "9%" : 0, "9%"], name: named(data.x), nameLocation: "middle", nameGap: 28, nameTextStyle: { color: look.ink },
+      xAxis: { type: "value", boundaryGap: [least, "9%"], name: named(data.x), nameLocation: "middle", nameGap: 28, nameTextStyle: { color: look.ink },
         axisLabel: { color: look.ink, hideOverlap: true, formatter: number }, splitLine: { lineStyle: { color: look.line } } },
-      yAxis: { type: "category", data: items.map((item) => item.name), axisTick: { show: false },
-        axisLabel: { color: look.ink, width: longest, lineHeight: 13, overflow: small ? "break" : "truncate", interval: 0 } },
+      yAxis: { type: "category", data: items.map((item) => item.name), axisTick: { show: false }, z: 4,
+        axisLabel: { color: look.ink, width: small ? width - 30 : 340, overflow: "truncate", interval: 0, inside: small, margin: small ? 0 : 8,
+          ...(small ? { verticalAlign: "bottom", padding: [0, 0, 8 * of + 4, 0] } : {}) } },
       tooltip: { trigger: "axis", axisPointer: { type: "shadow" }, confine: true, formatter: (rows) => {
         const item = items[rows[0].dataIndex], unit = data.x.unit || "";
         const interval = item.low === undefined ? "" : `<br>95 %: ${number(item.low)} to ${number(item.high)} ${unit}`;
@@ -71,8 +73,8 @@ const mapsAndBars = (function () {
         const step = along ? area.width / words.length : area.height / words.length;
         const turned = along && areTurned(words, step);
         return { type: "text", x: along ? at[0] : area.x - 8, y: along ? area.y + area.height + 8 : at[1], rotation: turned ? 0.7 : 0,
-          style: { text: words[i], fill: look.ink, fontSize: 12, lineHeight: 15, align: along && !turned ? "center" : "right", verticalAlign: along ? "top" : "middle",
-            width: along && !turned ? step - 6 : room, overflow: along && !turned ? "break" : "truncate" } };
+          style: { text: folded(words[i], along && !turned ? step - 6 : room), fill: look.ink, fontSize: 12, lineHeight: turned || !along ? 13 : 15,
+            align: along && !turned ? "center" : "right", verticalAlign: along ? "top" : "middle" } };
       } };
   }
 

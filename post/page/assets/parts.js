@@ -60,6 +60,28 @@ const chartParts = (function () {
     return context.measureText(text).width;
   }
 
+  // Rows of a legend of these names, about.
+  function rowsOf(names, width) {
+    let rows = 1, reach = 0;
+    for (const name of names) {
+      const wide = 44 + widthOf(name);
+      if (reach + wide > width && reach > 0) { rows += 1; reach = 0; }
+      reach += wide;
+    }
+    return rows;
+  }
+
+  // A long name in lines of this width at most, px, broken at blanks and behind "_", "." and "/" alone.
+  function folded(text, room) {
+    const lines = [""];
+    for (const piece of text.split(/(?<=[ _./])/)) {
+      const last = lines.length - 1;
+      if (lines[last] && widthOf((lines[last] + piece).trim()) > room) lines.push(piece);
+      else lines[last] += piece;
+    }
+    return lines.map((line) => line.trim()).join("\n");
+  }
+
   // Lowest and highest number of a panel: of its curves and of its levels.
   function rangeOf(panel) {
     let low = Infinity, high = -Infinity;
@@ -81,5 +103,5 @@ const chartParts = (function () {
     : Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < 1e-3) ? v.toExponential(3) : String(+v.toPrecision(5)));
   const named = (axis) => (axis.unit ? `${axis.name} (${axis.unit})` : axis.name);
   const plain = (text) => String(text).replace(/[<&]/g, "");
-  return { light, dark, inferno, signed, curve, hasBroken, assign, number, named, plain, widthOf, rangeOf, widestNumber };
+  return { light, dark, inferno, signed, curve, hasBroken, assign, number, named, plain, widthOf, rowsOf, folded, rangeOf, widestNumber };
 })();

@@ -23,6 +23,12 @@
       } };
   }
 
+  // "belt edge, whole tire: critical 110 °C" of several at one height.
+  function nameOfLevel(names) {
+    const [what] = (names[0] || "").match(/:.*$/) || [""];
+    return names.every((name) => name.endsWith(what)) ? names.map((name) => name.slice(0, name.length - what.length)).join(", ") + what : names.join("; ");
+  }
+
   function seriesOf(panel, index, places, look, data, height) {
     const made = [], onlySolid = chartParts.hasBroken(data), [low, high] = chartParts.rangeOf(panel);
     for (const s of panel.series) {
@@ -53,19 +59,20 @@
     }
     for (const mark of panel.marks || []) {
       const { colour: of } = chartParts.curve(places.get(mark.group) || 0, look);
-      made.push({ type: "scatter", name: "marks", xAxisIndex: index, yAxisIndex: index, data: [[mark.x, mark.y]], symbol: "pin", symbolSize: 26, z: 6, silent: true,
-        itemStyle: { color: of, borderColor: look.paper, borderWidth: 1 }, tooltip: { show: false },
+      made.push({ type: "scatter", name: "marks", xAxisIndex: index, yAxisIndex: index, data: [[mark.x, mark.y]], symbol: "circle", symbolSize: 9, z: 6, silent: true,
+        itemStyle: { color: look.paper, borderColor: of, borderWidth: 2 }, tooltip: { show: false },
         markLine: { symbol: "none", silent: true, lineStyle: { color: of, width: 1, type: "dotted" }, label: { show: false }, data: [{ xAxis: mark.x }] } });
     }
     made.push(...(data.roomy && (panel.marks || []).length ? [namesOfMarks(panel.marks, index, look)] : []));
     // Names of levels that lie close together stand below the line, or at its other end.
     const sides = ["insideStartTop", "insideStartBottom", "insideEndTop", "insideEndBottom"];
+    // A level near the top has its name below it: above it stand those of steps, but for a phone.
     const heights = [...new Set((panel.levels || []).map((level) => level.value))].sort((a, b) => b - a);
-    let close = 0;
+    let close = data.roomy && heights.length && heights[0] - low > 0.75 * (high - low) ? 1 : 0;
     const levels = heights.map((value, i) => {
-      close = i > 0 && (heights[i - 1] - value) / Math.max(high - low, 1e-9) * height < 34 ? close + 1 : 0;
+      close = i > 0 && (heights[i - 1] - value) / Math.max(high - low, 1e-9) * height < 34 ? close + 1 : i > 0 ? 0 : close;
       return { yAxis: value, label: { position: sides[close % sides.length], lineHeight: 15, color: look.ink, textBorderColor: look.paper, textBorderWidth: 3,
-        formatter: panel.levels.filter((level) => level.value === value && level.name).map((level) => level.name).join(data.roomy ? "; " : "\n") } };
+        formatter: nameOfLevel(panel.levels.filter((level) => level.value === value && level.name).map((level) => level.name)) } };
     });
     if (made.length && levels.length) {
       made[0].markLine = { symbol: "none", silent: true, lineStyle: { color: look.ink, type: "dashed" }, data: levels };
@@ -92,13 +99,7 @@
     const printing = document.body.classList.contains("printing");
     const small = !data.roomy, gap = 34, left = numberRoom + 36, right = 22, foot = printing ? 54 : 96;  // room for the zoom, which paper has not
     const legendLeft = small ? 4 : left;
-    let rows = picks ? 0 : 1, reach = 0;  // of the legend; a long one stands below the chart, to be picked from
-    for (const name of names) {
-      const wide = 48 + widthOf(name);
-      if (!picks && reach + wide > width - legendLeft - right && reach > 0) { rows += 1; reach = 0; }
-      reach += wide;
-    }
-    const top = 20 + 24 * rows;
+    const top = 20 + 24 * (picks ? 0 : chartParts.rowsOf(names, width - legendLeft - right));  // picks stand below the chart
     const tall = data.panels.map((panel) => (panel.short ? 130 : small ? 250 : 340));
     const sum = tall.reduce((all, one) => all + one, 0), room = 590 - gap * (tall.length - 1);  // of a sheet of paper
     const heights = tall.map((one) => (printing && sum > room ? Math.floor(one * room / sum) : one));
@@ -116,7 +117,7 @@
       const made = seriesOf(panel, i, places, look, data, heights[i]);
       const first = made.find((series) => series.type === "line") || made[0];
       if (first && (data.spans || []).length) {
-        first.markArea = bandsOf(data, look, width - left - right, i === 0);
+        first.markArea = bandsOf(data, look, width - left - right, i === 0 && (data.roomy || !(panel.levels || []).length));
       }
       option.series.push(...made);
       y += heights[i] + gap;
@@ -287,7 +288,30 @@
     }
   }
 
+  // On a phone a table that is too wide is set row by row, see report.css: each number beside the heading of its column.
+  function stackTables() {
+    for (const box of document.querySelectorAll(".scroll")) {
+      const [head] = box.querySelectorAll("thead tr");
+      const headings = head ? [...head.cells].map((cell) => cell.textContent) : [];
+      for (const row of box.querySelectorAll("tbody tr")) {
+        const cells = [...row.cells], first = cells.findIndex((cell) => cell.textContent);
+        const isRight = (i) => !!cells[i] && cells[i].classList.contains("right");
+        const isRank = !!head && !headings[first] && isRight(first) && !!cells[first + 1] && !isRight(first + 1);  // the order tells it
+        row.classList.toggle("part", first > 0);
+        cells.forEach((cell, i) => {
+          const isName = i === first + (isRank ? 1 : 0) && (!!head || i === 0);
+          cell.classList.toggle("rank", isRank && i === first);
+          cell.classList.toggle("name", isName);
+          if (headings[i] && (!isName || (first === 0 ? isRight(i) : /^\d+$/.test(cell.textContent)))) cell.dataset.heading = headings[i];
+        });
+      }
+      box.classList.remove("stacked");
+      box.classList.toggle("stacked", box.scrollWidth > box.clientWidth + 1);
+    }
+  }
+
   function start() {
+    stackTables();
     for (const figure of document.querySelectorAll("figure.chart")) {
       const chart = { figure, plot: figure.querySelector(".plot"), data: JSON.parse(figure.querySelector("script").textContent) };
       charts.push(chart);
@@ -315,6 +339,7 @@
     window.addEventListener("resize", () => {
       if (window.innerWidth !== width) {
         width = window.innerWidth;
+        stackTables();
         again();
       }
     });
