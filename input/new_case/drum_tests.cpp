@@ -11,8 +11,9 @@ namespace tiretherm::input {
 
 namespace {
 
-/// By speed symbol. UN R30, annex VII (recalled): 80 % of what the tire may carry at its highest speed, which is 91 % of the load
-/// index at 240 km/h and 85 % at 270 and 300 km/h; pressures of a radial tire of standard load.
+/// By speed symbol. UN R30, annex VII (recalled, not read): 80 % of what the tire may carry at its highest speed; pressures of a
+/// radial tire of standard load. What that is of the load index: 91 % of V at 240 km/h and 85 % of W at 270 km/h, full up to
+/// 210 and 240 km/h and straight between (read: https://myengineerings.com/tyre-load-capacity/); 85 % of Y at 300 km/h is recalled.
 struct OfSymbol {
     std::string_view symbols;
     double load_share;

@@ -26,7 +26,7 @@ ErrorText defect(const std::string& bytes) {
         return {"is written in UTF-16", "save it as UTF-8"};
     }
     if (bytes.find('\0') != std::string::npos) {
-        return {"is not a text file", "give a text file"};
+        return {"is not a text file", "give a text file; export a logger's own format as CSV"};
     }
     if (bytes.find_first_not_of(" \t\r\n") == std::string::npos || bytes == "\xEF\xBB\xBF") {
         return {"is empty", ""};

@@ -106,8 +106,10 @@ TEST(TunerStudioMsl, HasUnitsInALineAndMarksBetween) {
 // What is not read names the program that exports it, by its ending or by its first bytes.
 TEST(UnreadLog, NamesTheProgramThatExportsIt) {
     for (const auto& [name, bytes, remedy] :
-         {std::tuple{"run.xrk", std::string("<hCNF\0\0", 7), "export it as CSV in AiM RaceStudio"},
-          std::tuple{"run.bin", std::string("<hCNF\0\0", 7), "export it as CSV in AiM RaceStudio"},
+         {std::tuple{"run.xrk", std::string("<hCNF\0\0", 7), "export it as CSV in AiM RaceStudio 3"},
+          std::tuple{"run.bin", std::string("<hCNF\0\0", 7), "export it as CSV in AiM RaceStudio 3"},
+          std::tuple{"lap.bmsbin", std::string("\1\0\2\0", 4), "export it as CSV in WinDarab"},
+          std::tuple{"VBOX_001.dbn", std::string("\1\0\2\0", 4), "export it as .vbo or CSV in the tools of the device"},
           std::tuple{"log.mlg", std::string("MLVLG\0\0", 7),
                      "export it as .msl or CSV in TunerStudio or MegaLogViewer"},
           std::tuple{"run.ldx", std::string("<?xml version=\"1.0\"?>"), "name the .ld file beside it"}}) {
