@@ -170,6 +170,8 @@ void print_text(const Checked& checked) {
         table.add(
             {"runs", fmt::format("{}; run takes the first, or that of --run NAME", input::listed(checked.names))});
     }
+    table.add(
+        {"checked", "the case and its files; nothing was simulated: the errors of grid and time steps are not known"});
     fmt::print("{}: no errors\n", input::printable(problem.name));
     for (const std::string& line : table.lines(2)) {
         fmt::print("{}\n", input::printable(line));

@@ -21,11 +21,10 @@ void add_completion_command(CLI::App& program, int& exit_code) {
         ->check(CLI::IsMember(std::vector<std::string>{"bash", "zsh"}));
     command->footer(
         "The Tab key then completes commands, options, effects, inputs, tables and topics, and offers the files that "
-        "an "
-        "option takes. For the shell you are in:\n\n"
+        "an option takes. For the shell you are in:\n\n"
         "  source <(tiretherm completion bash)\n\n"
-        "For every shell, add that line to ~/.bashrc or, with zsh for bash and below compinit, to ~/.zshrc. "
-        "cmake --install puts both scripts where shells look for them. From the source tree ./run works, too:\n\n"
+        "For every shell, add that line to ~/.bashrc or, with zsh for bash and below compinit, to ~/.zshrc. cmake "
+        "--install puts both scripts where shells look for them. From the source tree ./run works, too:\n\n"
         "  source <(./run completion bash)\n\n"
         "Example:\n"
         "  tiretherm completion bash");

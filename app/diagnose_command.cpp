@@ -180,10 +180,9 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
     add_measured_options(*command, *call, "[[run]] and [[parameter]]",
                          "files of an earlier diagnosis there are replaced. Default: out/<case name>");
     add_fresh_option(*command, call->fresh);
-    add_seconds_option(
-        *command, "--time-limit", call->time_limit,
-        "Of wall time after which the best answer so far is given; Ctrl-C does the same. The same call, as "
-        "often as it is made, goes on from there");
+    add_seconds_option(*command, "--time-limit", call->time_limit,
+                       "Of wall time after which the best answer so far is given; Ctrl-C does the same. The same call, "
+                       "as often as it is made, goes on from there");
     CLI::Option* by_run = command->add_flag(
         "--by-run", call->by_run,
         "Each of several runs alone as well, however long that takes. Default: where all together took up to 60 s");
@@ -207,8 +206,7 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "Dense logs are thinned to some 1500 values a sensor and run, by means over blocks; the page says how far.\n"
         "Each of several runs is diagnosed alone, too: what only one shows is a fault of that run.\n"
         "Columns that the model does not use may be causes where they drive the tire, or as [diagnose] signals and "
-        "ignore "
-        "say.\n"
+        "ignore say.\n"
         "CASE may also be a table of measured numbers over many experiments, as `validate` reads it. Then additions "
         "to\n"
         "one model (effects, parameters, the other mesh, unprinted inputs, instruments) are judged by experiments that "
@@ -216,8 +214,7 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "no part in fitting them. Its files are report.html, page.txt and diagnosis.json.\n"
         "Differences are simulated - measured.\n"
         "Files: report.html (this page with charts, for a browser), page.txt (this page), diagnosis.json, "
-        "extended.toml "
-        "(the\n"
+        "extended.toml (the\n"
         "case with the cause switched on, where there is one), residuals.csv (a row for each sample), missing_heat.csv "
         "(heat\n"
         "that windows of the runs lack), laps.csv (of laps and of a car's tires). Charts as pictures: tiretherm report "

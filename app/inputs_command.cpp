@@ -97,19 +97,15 @@ Json as_json(const physics::Signal& signal) {
 constexpr std::string_view page_head =
     "# Inputs, axes and signs\n\n"
     "What a case can be driven with, in `[drive]` or by the columns of a log. This page is written by `tiretherm "
-    "inputs "
-    "--markdown` from what the code\nknows; do not edit it. Formulas of `[[source]]` and `[[exchange]]` may follow "
-    "every "
-    "input. Units are those inside;\na case and a log may have any of the same kind.\n\n"
+    "inputs --markdown` from what the code\nknows; do not edit it. Formulas of `[[source]]` and `[[exchange]]` may "
+    "follow every input. Units are those inside;\na case and a log may have any of the same kind.\n\n"
     "![The tire from above and from behind, with axes and positive directions](axes.svg)\n\n"
     "The axes are those of ISO 8855: x forwards, y to the left, z up. Drawn is a tire on the right-hand side of the "
-    "vehicle: "
-    "outside, or\noutboard, is to its right. The arc length along the meridian counts from the centre plane, negative "
-    "outboard.\n\n"
+    "vehicle: outside, or\noutboard, is to its right. The arc length along the meridian counts from the centre plane, "
+    "negative outboard.\n\n"
     "**Left and right.** Heat does not tell the sides of a vehicle apart: camber is that of the vehicle, and slip and "
-    "forces "
-    "count by their\nmagnitude. Only sensors that read the Magic Formula do. For a tire on the left turn the signs of "
-    "`slip_angle` and of the forces read\nacross: it is then the tire on the right in a mirror.\n";
+    "forces count by their\nmagnitude. Only sensors that read the Magic Formula do. For a tire on the left turn the "
+    "signs of `slip_angle` and of the forces read\nacross: it is then the tire on the right in a mirror.\n";
 
 std::string range_text(const input::VehicleSignal& signal) {
     return signal.unit.empty() ? "any unit" : fmt::format("{:g} to {:g} {}", signal.low, signal.high, signal.unit);

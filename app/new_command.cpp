@@ -315,10 +315,9 @@ void add_new_command(CLI::App& program, int& exit_code) {
         ->option_text("KIND")
         ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
     command
-        ->add_option(
-            "--pressure", options->pressure,
-            "Inflation, \"2.4 bar\": scales stiffness and contact. Default: 220 kPa, light trucks 450 kPa, trucks "
-            "800 kPa")
+        ->add_option("--pressure", options->pressure,
+                     "Inflation, \"2.4 bar\": scales stiffness and contact. Default: 220 kPa, light trucks 450 kPa, "
+                     "trucks 800 kPa")
         ->option_text("PRESSURE");
     command
         ->add_option(

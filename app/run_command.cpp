@@ -191,10 +191,9 @@ void add_run_command(CLI::App& program, int& exit_code) {
                      "Which of the case's [[run]] tables, by its name; of a car's tires RUN is all, RUN_FL one. "
                      "Default: the first")
         ->option_text("NAME");
-    add_out_option(
-        *command, options->directory,
-        "Where the files go; files of an earlier run there are replaced at the end. Default: out/<case name>, "
-        "with --run a folder of the run's name in it");
+    add_out_option(*command, options->directory,
+                   "Where the files go; files of an earlier run there are replaced at the end. Default: out/<case "
+                   "name>, with --run a folder of the run's name in it");
     add_seconds_option(*command, "--fields", options->field_interval,
                        "Store the field this often, whatever the case says");
     for (const post::OutputFormat* format : post::output_formats()) {
@@ -211,10 +210,9 @@ void add_run_command(CLI::App& program, int& exit_code) {
         "--what-if", options->what_if,
         "Run again with 0.1 bar, 0.5 deg of camber, 5 K of air and 5 K of road more and less, and compare");
     command
-        ->add_option(
-            "--change", options->changes,
-            "The same with any value of the case: \"drive.speed=+10 km/h\", \"effects.air_convection.lambda_h=+-10 "
-            "%\", \"KEY=VALUE\"; once for each")
+        ->add_option("--change", options->changes,
+                     "The same with any value of the case: \"drive.speed=+10 km/h\", "
+                     "\"effects.air_convection.lambda_h=+-10 %\", \"KEY=VALUE\"; once for each")
         ->option_text("KEY=CHANGE ...");
     add_fresh_option(*command, options->fresh);
     add_quiet_option(*command, options->quiet);

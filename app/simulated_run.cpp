@@ -115,7 +115,7 @@ bool simulate(SimulatedRun& it, const std::filesystem::path& directory, const in
         it.report = march(problem, *it.files, tracker, journal, options);
         it.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
         it.files->finish(it.report);
-        it.hot_spots = tracker.report();
+        it.hot_spots = tracker.report(it.report.hottest);
         if (it.hot_spots) {
             it.files->write_hot_spots(*it.hot_spots);
         }

@@ -63,8 +63,8 @@ std::string meaning_of(diagnosis::Verdict verdict) {
     using diagnosis::Verdict;
     switch (verdict) {
         case Verdict::named:
-            return "One effect or one pair explains the differences, and predicts data that it was not fitted to. "
-                   "Is its size plausible? Then use extended.toml.";
+            return "One effect or one pair explains the differences, and predicts data that it was not fitted to. Is "
+                   "its size plausible? Then use extended.toml.";
         case Verdict::confounded:
             return "Several effects that these data cannot tell apart, each with its size. Do the test that the page "
                    "recommends, or rule some out by what you know.";
@@ -110,12 +110,9 @@ std::string data_topic() {
                "  time [s],speed [km/h],vertical_load [N],bulk_temperature [degC]\n"
                "  0,100,4000,23.4\n\n"
                "Commas, semicolons or tabs separate columns. Exports of MoTeC i2 are read as they are. Times ascend; "
-               "two "
-               "lines at one time are a jump. An empty field or nan is a missing sample. Columns that bear the name of "
-               "an input "
-               "or of a sensor of the case are used; all others are kept, and a diagnosis tries whether they drive "
-               "what "
-               "is missing.\n\n"
+               "two lines at one time are a jump. An empty field or nan is a missing sample. Columns that bear the "
+               "name of an input or of a sensor of the case are used; all others are kept, and a diagnosis tries "
+               "whether they drive what is missing.\n\n"
                "Give the files with --data, or in the case as [[run]]. Keys of [[run]]:\n\n") +
            keys_text("run", 19) +
            paragraphs_text(
@@ -124,13 +121,13 @@ std::string data_topic() {
 }
 
 std::string parameters_topic() {
-    std::string text = paragraphs_text(
-                           "A parameter is a number of the case. A [[parameter]] table makes one free: identify and "
-                           "diagnose may change it. Say what is known of it before, as a standard deviation. For "
-                           "example:\n\n"
-                           "  [[parameter]]\n  effect = \"air_convection\"\n  key = \"lambda_h\"\n"
-                           "  standard_deviation = 0.1\n\nKeys of [[parameter]]:\n\n") +
-                       keys_text("parameter", 22) + "\nWhat a fit says of each parameter:\n\n";
+    std::string text =
+        paragraphs_text(
+            "A parameter is a number of the case. A [[parameter]] table makes one free: identify and diagnose may "
+            "change it. Say what is known of it before, as a standard deviation. For example:\n\n"
+            "  [[parameter]]\n  effect = \"air_convection\"\n  key = \"lambda_h\"\n"
+            "  standard_deviation = 0.1\n\nKeys of [[parameter]]:\n\n") +
+        keys_text("parameter", 22) + "\nWhat a fit says of each parameter:\n\n";
     using diagnosis::Identifiability;
     for (const Identifiability word :
          {Identifiability::determined, Identifiability::doubtful, Identifiability::with_prior,
@@ -144,20 +141,16 @@ std::string noise_topic() {
     return paragraphs_text(
                "Noise is what a sensor adds to the truth. Its standard deviation for one sample stands in the case, as "
                "standard_deviation of the [[sensor]]; take it from the data sheet. A fit estimates the noise again "
-               "from "
-               "what no parameter explains and compares the two.\n\n"
+               "from what no parameter explains and compares the two.\n\n"
                "It has two parts: a white part that is new in every sample, and a correlated part that decays over "
-               "some "
-               "seconds, an AR(1) process. Its share of the variance is the white-noise share. Correlated samples say "
-               "less: 1000 of them may count as 30. That number is the effective sample size.\n\n"
+               "some seconds, an AR(1) process. Its share of the variance is the white-noise share. Correlated samples "
+               "say less: 1000 of them may count as 30. That number is the effective sample size.\n\n"
                "Much more noise than the data sheet says, or noise that is as slow as the run, is rather an error of "
-               "the "
-               "model. Parameters are then called doubtful: run tiretherm diagnose.\n\nKeys of [identify]:\n\n") +
+               "the model. Parameters are then called doubtful: run tiretherm diagnose.\n\nKeys of [identify]:\n\n") +
            keys_text("identify", 12) +
            paragraphs_text(
                "\nBefore anything is measured, tiretherm identify CASE --plan says which accuracy the sensors and "
-               "their "
-               "noise allow.\n");
+               "their noise allow.\n");
 }
 
 std::string verdicts_topic() {
@@ -168,10 +161,9 @@ std::string verdicts_topic() {
                                   Verdict::partial, Verdict::cannot_tell}) {
         text += entry_text(std::string(diagnosis::word_of(verdict)), meaning_of(verdict), 16);
     }
-    return text +
-           paragraphs_text(
-               "\nThe strength of a cause is given in standard deviations (sigma) from \"absent\". docs/diagnosis.md "
-               "says how to read the page and how often it is right.\n");
+    return text + paragraphs_text(
+                      "\nThe strength of a cause is given in standard deviations (sigma) from \"absent\". "
+                      "docs/diagnosis.md says how to read the page and how often it is right.\n");
 }
 
 }  // namespace tiretherm::app

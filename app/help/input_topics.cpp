@@ -21,9 +21,8 @@ namespace tiretherm::app {
 std::string inputs_topic() {
     std::string text = paragraphs_text(
         "An input is what drives the model. A case gives it in [drive], as a constant, a schedule or a file; a "
-        "measured "
-        "run gives it in a column of that name, or of any name with columns = { V = \"speed\" }. Any unit of the right "
-        "kind will do.\n\n");
+        "measured run gives it in a column of that name, or of any name with columns = { V = \"speed\" }. Any unit of "
+        "the right kind will do.\n\n");
     post::Table table({true, true, true});
     table.add({"input", "for example", "meaning"});
     for (const physics::Signal& signal : physics::signals()) {
@@ -46,12 +45,10 @@ std::string inputs_topic() {
 std::string signs_topic() {
     std::string text = paragraphs_text(
         "Axes are those of ISO 8855: x forwards, y to the left, z up, for a tire on the right-hand side of the "
-        "vehicle. "
-        "Outside, or outboard, is to its right. A place along the section counts from the centre plane, negative "
-        "outboard. docs/inputs.md has a drawing.\n\n"
+        "vehicle. Outside, or outboard, is to its right. A place along the section counts from the centre plane, "
+        "negative outboard. docs/inputs.md has a drawing.\n\n"
         "Differences are simulated - measured: + is too hot. In the heat budget + is heat into the tire. A heat flux "
-        "is "
-        "positive out of the rubber.\n\n");
+        "is positive out of the rubber.\n\n");
     for (const physics::Signal& signal : physics::signals()) {
         text += entry_text(std::string(signal.name), std::string(physics::sign_convention(signal)), 22);
     }
@@ -119,8 +116,7 @@ std::string sensors_topic() {
     return text + of_places + others +
            paragraphs_text(
                "\nAll keys: tiretherm keys sensor. What may be wrong with a sensor (lag, offset, gain ...) is an "
-               "effect: "
-               "tiretherm effects.\n");
+               "effect: tiretherm effects.\n");
 }
 
 }  // namespace tiretherm::app

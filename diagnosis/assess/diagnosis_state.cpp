@@ -215,8 +215,7 @@ void describe_search(const PredictionSearch& search, const DiagnosisState& found
     if (search.accepted.empty() && found.verdict == Verdict::cannot_tell) {
         into.reason = fmt::format(
             "the model has an error beyond the sensors' noise, and nothing that was tried predicts data that were left "
-            "out "
-            "better beyond chance; the best removes {:.0f} % of the mean square.",
+            "out better beyond chance; the best removes {:.0f} % of the mean square.",
             100.0 * search.largest_gain);
     }
 }

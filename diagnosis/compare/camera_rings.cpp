@@ -225,10 +225,8 @@ input::Experiment in_rings(input::Experiment experiment, std::vector<std::string
         next += camera.rings;
         remarks.push_back(fmt::format(
             "{}: its images are taken as the means of {} rings about the spot, each {:.1f} mm wide, where the case "
-            "says "
-            "that they lie; identify takes every pixel and fits where they lie. The rings' noise counts as "
-            "independent: a "
-            "drift that they share makes sigmas up to {:.1f} times too large",
+            "says that they lie; identify takes every pixel and fits where they lie. The rings' noise counts as "
+            "independent: a drift that they share makes sigmas up to {:.1f} times too large",
             camera.name, camera.rings, 1e3 * camera.farthest / fitted_rings,
             std::sqrt(static_cast<double>(fitted_rings))));
     }

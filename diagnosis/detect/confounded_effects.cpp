@@ -13,9 +13,8 @@ std::span<const ConfoundedGroup> confounded_groups() {
          .separated = "speed steps over a wide range at constant load: an exponent changes sign at one speed, area and "
                       "level do not; standing still shows none of them"},
         {.members = {"sidewall_convection", "inner_gas", "radiation"},
-         .separated =
-             "a channel in the gas or on the liner; a long cool-down: gas gives back for minutes what it took, "
-             "radiation falls with the fourth power, sidewalls do neither"},
+         .separated = "a channel in the gas or on the liner; a long cool-down: gas gives back for minutes what it "
+                      "took, radiation falls with the fourth power, sidewalls do neither"},
         {.members = {"sliding_friction.partition", "sliding_friction.lambda_x", "sliding_friction.lambda_y",
                      "slip_input_gain"},
          .separated = "a second measurement of the slip, or of the forces: temperatures see only the product"},

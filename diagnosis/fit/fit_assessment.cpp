@@ -68,16 +68,14 @@ std::string given_up_sentence(const ChannelFit& fit, const solver::Channel& chan
     if (fit.is_missed() && fit.noise.sigma <= far_above_data_sheet * stated) {
         return fmt::format(
             "{}: after the fit it is {:.2g} {} rms off, {:.1f} times the sensor's {:.2g} {}: the model does not "
-            "describe "
-            "it, and no parameter is determined; see compare and diagnose",
+            "describe it, and no parameter is determined; see compare and diagnose",
             fit.name, fit.rmse_after, solver::unit_of(channel.quantity), fit.rmse_after / stated, stated,
             solver::unit_of(channel.quantity));
     }
     if (is_given_up(fit)) {
         return fmt::format(
             "{}: its rms rose with the fit, from {:.2g} to {:.2g} {}: a missing effect passes for slow noise, and the "
-            "values and intervals are not to be trusted; see compare, and fit with noise = "
-            "\"white\" beside it",
+            "values and intervals are not to be trusted; see compare, and fit with noise = \"white\" beside it",
             fit.name, fit.rmse_before, fit.rmse_after, solver::unit_of(channel.quantity));
     }
     if (fit.noise.white_share < 1.0 && stated > 0.0 && fit.samples > many && fit.noise.sigma > swollen * stated &&

@@ -269,12 +269,10 @@ void identify(const input::Experiment& experiment, const Observations& observati
     if (result.white_noise_gain > 0.0) {
         result.findings.insert(
             result.findings.begin(),
-            fmt::format(
-                "data that were left out are predicted better, by {:.0f} % of the rms, when the fit takes the noise as "
-                "white: the slow noise was an error of the model. The fit with white noise is shown; diagnose says "
-                "what "
-                "the model lacks.",
-                100.0 * (1.0 - std::exp(-result.white_noise_gain))));
+            fmt::format("data that were left out are predicted better, by {:.0f} % of the rms, when the fit takes the "
+                        "noise as white: the slow noise was an error of the model. The fit with white noise is shown; "
+                        "diagnose says what the model lacks.",
+                        100.0 * (1.0 - std::exp(-result.white_noise_gain))));
     }
     widen_doubtful(experiment.parameters, result);
     doubt_input_numbers(experiment.parameters, result);

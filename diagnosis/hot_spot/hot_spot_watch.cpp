@@ -54,11 +54,12 @@ TestMoment HotSpotTracker::moment(const solver::Problem& problem, const std::vec
     if (const solver::ScheduleStep* step = solver::step_at(steps, t)) {
         moment.step = *step;
     }
+    moment.temperature = solver::value_at(history.time(), history.temperature(), t);
     moment.surface = solver::value_at(history.time(), history.surface(), t);
     return moment;
 }
 
-std::optional<HotSpots> HotSpotTracker::report() const {
+std::optional<HotSpots> HotSpotTracker::report(const solver::Report::Extreme& hottest) const {
     if (histories_.empty() || histories_.front().rows() == 0) {
         return std::nullopt;
     }
@@ -68,12 +69,16 @@ std::optional<HotSpots> HotSpotTracker::report() const {
         found.steps = solver::schedule_steps(problem_.input_signals, settings.start, settings.end);
     }
     for (const solver::HotSpotHistory& history : histories_) {
-        const double at_hottest = history.time()[history.hottest_row()];
+        const bool is_hottest_of_all = std::ranges::binary_search(history.critical().nodes, hottest.node);
         HotSpot spot{.history = history,
-                     .hottest = moment(problem_, found.steps, history, at_hottest),
+                     .hottest = moment(problem_, found.steps, history,
+                                       is_hottest_of_all ? hottest.time : history.time()[history.hottest_row()]),
                      .passing = std::nullopt,
                      .surface_threshold = unknown,
                      .surface_time = unknown};
+        if (is_hottest_of_all) {
+            spot.hottest.temperature = hottest.temperature;
+        }
         const double passed =
             solver::passing_time(history.time(), history.temperature(), history.critical().temperature);
         if (!std::isnan(passed) && !settings.steady) {
@@ -189,7 +194,7 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
     solver::in_parallel(2 * n, to_a_side, solver::side_by_side(problem_.settings.linear_solver));
     for (std::size_t p = 0; p < places.size(); ++p) {
         std::vector<solver::Driver> drivers;
-        double mean = into.spots[p].history.temperature()[into.spots[p].history.hottest_row()];
+        double mean = into.spots[p].hottest.temperature;
         for (std::size_t j = 0; j < case_->known.size(); ++j) {
             const solver::FreeParameter& number = case_->known[j];
             const double slope = base.slope[j * places.size() + p];

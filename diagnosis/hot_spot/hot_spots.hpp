@@ -21,6 +21,7 @@ struct TestMoment {
     double speed = 0.0;                          ///< m/s
     double load = 0.0;                           ///< N
     std::optional<solver::ScheduleStep> step{};  ///< that holds it; none where the test follows a log
+    double temperature = 0.0;                    ///< K, of the hot spot
     double surface = 0.0;                        ///< K, of the reading beside the hot spot; NaN where there is none
 };
 
@@ -38,7 +39,7 @@ struct FurtherSteps {
 /// One hot spot of a run and what becomes of it.
 struct HotSpot {
     solver::HotSpotHistory history;
-    TestMoment hottest{};
+    TestMoment hottest{};  ///< where the hottest place of the run is one of its part: that of the run's report
     std::optional<TestMoment> passing{};           ///< of the critical temperature, in the run itself
     std::vector<solver::SpotAndSurface> at_end{};  ///< [steps] when the step ends
     std::vector<solver::SpotAndSurface> steady{};  ///< [steps] if the step were held for ever

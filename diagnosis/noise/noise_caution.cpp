@@ -71,18 +71,17 @@ std::vector<std::string> cautions(const std::string& channel, const std::string&
     }
     for (const double time : thermal_times) {
         if (std::abs(std::log(noise.correlation_time / time)) < std::log(alike)) {
-            said.push_back(fmt::format(
-                "{}: the noise's correlation time of {} is close to the tire's time constant of {}: an error "
-                "of the model may be counted as noise",
-                channel, duration(noise.correlation_time), duration(time)));
+            said.push_back(
+                fmt::format("{}: the noise's correlation time of {} is close to the tire's time constant of {}: an "
+                            "error of the model may be counted as noise",
+                            channel, duration(noise.correlation_time), duration(time)));
             break;
         }
     }
     if (is_at_longest_correlation(noise, found)) {
         said.push_back(
             fmt::format("{}: the noise's correlation time reached its upper limit, {} or a tenth of the longest run: a "
-                        "drift of the "
-                        "sensor or an error of the model is taken for noise",
+                        "drift of the sensor or an error of the model is taken for noise",
                         channel, duration(found.longest_correlation)));
     }
     return said;

@@ -4,6 +4,7 @@
 #include "diagnosis/study/study_record.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -32,14 +33,14 @@ std::vector<std::size_t> StudyRecord::failed() const {
     return found;
 }
 
-std::vector<std::string> StudyRecord::left_ranges() const {
+std::vector<std::string> left_ranges(const std::vector<std::vector<solver::RangeWarning>>& of_runs) {
     struct Left {
         solver::RangeWarning reached;
         std::size_t runs = 0;
     };
     std::vector<Left> laws;
-    for (const StudyOutcome& outcome : outcomes) {
-        for (const solver::RangeWarning& warning : outcome.warnings) {
+    for (const std::vector<solver::RangeWarning>& of_run : of_runs) {
+        for (const solver::RangeWarning& warning : of_run) {
             auto known = std::ranges::find(laws, warning.law, [](const Left& left) { return left.reached.law; });
             if (known == laws.end()) {
                 known = laws.insert(laws.end(), {warning, 0});
@@ -53,9 +54,15 @@ std::vector<std::string> StudyRecord::left_ranges() const {
     }
     std::vector<std::string> sentences;
     for (const Left& left : laws) {
-        sentences.push_back(fmt::format("{} in {} of {} runs", left.reached.text(), left.runs, outcomes.size()));
+        sentences.push_back(fmt::format("{} in {} of {} runs", left.reached.text(), left.runs, of_runs.size()));
     }
     return sentences;
+}
+
+std::vector<std::string> StudyRecord::left_ranges() const {
+    std::vector<std::vector<solver::RangeWarning>> of_runs;
+    std::ranges::transform(outcomes, std::back_inserter(of_runs), &StudyOutcome::warnings);
+    return diagnosis::left_ranges(of_runs);
 }
 
 std::vector<std::string> StudyRecord::without_effect() const {

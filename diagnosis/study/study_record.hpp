@@ -51,6 +51,9 @@ struct StudyColumn {
     [[nodiscard]] std::string heading() const;
 };
 
+/// Where runs left the ranges of laws, a sentence for each law: in how many runs, and how far. @param of_runs [runs]
+[[nodiscard]] std::vector<std::string> left_ranges(const std::vector<std::vector<solver::RangeWarning>>& of_runs);
+
 /// A study that has been run.
 struct StudyRecord {
     std::string title;
@@ -71,7 +74,6 @@ struct StudyRecord {
 
     [[nodiscard]] std::size_t points() const { return outcomes.size() / samples; }
     [[nodiscard]] std::vector<std::size_t> failed() const;  ///< indices of the runs that failed
-    /// Where runs left the ranges of laws, a sentence for each law: in how many runs, and how far.
     [[nodiscard]] std::vector<std::string> left_ranges() const;
     /// Keys that changed nothing: the numbers of every run are those of its neighbour with another value of the key.
     [[nodiscard]] std::vector<std::string> without_effect() const;

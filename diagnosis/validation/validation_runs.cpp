@@ -4,12 +4,12 @@
 #include "diagnosis/validation/validation_runs.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <mutex>
 #include <numeric>
 
 #include <fmt/format.h>
 
+#include "diagnosis/study/study_record.hpp"
 #include "solver/in_parallel.hpp"
 #include "solver/time_integration/run_to_end.hpp"
 
@@ -34,7 +34,7 @@ RunResults run_all(const std::vector<input::ValidationRun>& runs, unsigned threa
     RunResults results{.traces = std::vector<input::Trace>(runs.size()),
                        .failures = std::vector<std::string>(runs.size()),
                        .warnings = {}};
-    std::vector<std::vector<std::string>> warnings(runs.size());
+    std::vector<std::vector<solver::RangeWarning>> warnings(runs.size());
     const std::vector<std::size_t> order = largest_first(runs);
     std::mutex talk;
     std::size_t done = 0;
@@ -50,20 +50,13 @@ RunResults run_all(const std::vector<input::ValidationRun>& runs, unsigned threa
         }
         const std::lock_guard lock(talk);
         if (run_end.failure.empty()) {
-            for (const solver::RangeWarning& warning : run_end.report.warnings) {
-                warnings[run].push_back(fmt::format("{}: {}", problem.name, warning.text()));
-            }
+            warnings[run] = run_end.report.warnings;
             results.energy_closure = std::max(results.energy_closure, run_end.report.energy_closure);
         }
         progress(++done);
     };
     solver::in_parallel(order.size(), work, threads);
-    // What a case says with an input at an end of its range it mostly says as it is, too.
-    for (const std::vector<std::string>& of_run : warnings) {
-        std::ranges::copy_if(of_run, std::back_inserter(results.warnings), [&](const std::string& warning) {
-            return std::ranges::find(results.warnings, warning) == results.warnings.end();
-        });
-    }
+    results.warnings = left_ranges(warnings);
     return results;
 }
 

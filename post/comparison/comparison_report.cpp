@@ -78,7 +78,7 @@ DataTable channels(const Comparison& comparison) {
         const std::string sensor = shown(channel, channel.sensor) + (channel.sensor_is_stated ? "" : "*");
         DataTable::Row row{{"channel", "name", channel.name},
                            data_only("unit", channel.unit.name),
-                           {"unit", "difference_unit", difference_unit(channel)},
+                           {"unit", "difference_unit", difference_unit(channel.unit.name)},
                            page_only("run", "all")};
         row = joined(std::move(row), figures(channel, channel.figures, true));
         table.add(joined(std::move(row), {{"noise", "noise", cell(channel, channel.noise)},
@@ -152,7 +152,7 @@ Section by_phase(const Comparison& comparison) {
 Section by_signal(const ComparedChannel& channel) {
     constexpr std::size_t most = 4;
     Section section(fmt::format("{}: mean difference [{}] in each fifth of the signal's range of samples", channel.name,
-                                difference_unit(channel)));
+                                difference_unit(channel.unit.name)));
     DataTable table;
     for (std::size_t i = 0; i < std::min(most, channel.regressors.size()); ++i) {
         const RegressorFigures& regressor = channel.regressors[i];
@@ -209,10 +209,6 @@ Section numbers_section(DataTable table) {
     return section;
 }
 
-}  // namespace
-
-namespace {
-
 std::vector<MeasuredSeries> series_of(const Comparison& comparison) {
     std::vector<MeasuredSeries> all;
     for (const ComparedChannel& channel : comparison.channels) {
@@ -242,7 +238,7 @@ std::vector<std::string> verdict_of(const Comparison& comparison) {
     });
     std::vector<std::string> verdict;
     for (std::size_t i = 0; i < std::min(most, channels.size()); ++i) {
-        verdict.push_back(headline(*channels[i]));
+        verdict.push_back(headline(*channels[i], comparison.runs));
     }
     return verdict;
 }
@@ -257,10 +253,10 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
     DataTable of_channels = channels(comparison);
     DataTable numbers = single_numbers(comparison);
     Value cameras = Value::List{};
-    Report report{
-        .title = fmt::format("{}: {}, simulated in {} s", comparison.name, plural(comparison.runs.size(), "run"),
-                             to_its_digits(comparison.seconds, 0.05 * comparison.seconds)),
-        .lead = {"Differences are simulated - measured."}};
+    Report report{.title = comparison.name + ", simulated against measured",
+                  .lead = {fmt::format("{}, simulated in {} s; differences are simulated - measured",
+                                       plural(comparison.runs.size(), "run"),
+                                       to_its_digits(comparison.seconds, 0.05 * comparison.seconds))}};
     report.data = {{"case", comparison.name},        {"difference", "simulated - measured"},
                    {"seconds", comparison.seconds},  {"runs", runs},
                    {"channels", of_channels.data()}, {"numbers", numbers.data()}};
@@ -290,9 +286,7 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
     report.data.set({{"cameras", std::move(cameras)}, {"heat", heat_by_lap_data(comparison.heat)}});
     report.add(numbers_section(std::move(numbers)));
     report.add("Findings about the data", "findings", comparison.findings);
-    std::vector<std::string> warnings = comparison.warnings;
-    std::ranges::move(comparison.extrapolations.warnings(), std::back_inserter(warnings));
-    report.add("Warnings", "warnings", warnings);
+    report.add_warnings(comparison.warnings, comparison.extrapolations.warnings());
     report.add(files);
     return report;
 }

@@ -26,7 +26,7 @@ double times_the_sensor(const ComparedChannel& channel) {
 
 std::string bias_sentence(const ComparedChannel& channel) {
     const Figures& f = channel.figures;
-    const std::string unit = difference_unit(channel);
+    const std::string unit = difference_unit(channel.unit.name);
     if (f.samples == 1) {
         return fmt::format("a single sample, {} {} off", shown_signed(channel, f.bias), unit);
     }
@@ -34,8 +34,7 @@ std::string bias_sentence(const ComparedChannel& channel) {
     if (std::abs(f.bias) < plain * f.bias_deviation && times_the_sensor(channel) > beyond_sensor) {
         return fmt::format(
             "bias {} +- {} {}: an effective sample size of {:.0f} is too small to tell it from zero, but the rms of {} "
-            "{} is "
-            "{:.2g} times the sensor's noise",
+            "{} is {:.2g} times the sensor's noise",
             shown_signed(channel, f.bias), deviation, unit, f.independent, shown(channel, f.rmse), unit,
             times_the_sensor(channel));
     }
@@ -49,16 +48,16 @@ std::string bias_sentence(const ComparedChannel& channel) {
 }
 
 std::string sensor_text(const ComparedChannel& channel) {
-    return fmt::format("{} {} ({})", shown(channel, channel.sensor), difference_unit(channel),
+    return fmt::format("{} {} ({})", shown(channel, channel.sensor), difference_unit(channel.unit.name),
                        channel.sensor_is_stated ? "stated" : "no standard deviation is stated: sample to sample");
 }
 
 std::string scatter_sentence(const ComparedChannel& channel) {
-    const std::string unit = difference_unit(channel);
+    const std::string unit = difference_unit(channel.unit.name);
     if (channel.model.below_sensor) {
         return fmt::format(
-            "the differences scatter by {} {}, less than the sensor may by itself, {}: nothing but the "
-            "bias is left to the model",
+            "the differences scatter by {} {}, less than the sensor may by itself, {}: nothing but the bias is left to "
+            "the model",
             shown(channel, channel.figures.scatter), unit, sensor_text(channel));
     }
     return fmt::format("without the sensor's {} the model scatters by {} {}, and its rms is {} {}",
@@ -91,20 +90,14 @@ std::string regressor_sentence(const ComparedChannel& channel) {
         "of {} signals the differences follow {} closest ({}, {:.1f} standard deviations): {} {} where it is below "
         "{:.4g} {}, {} {} where it is above {:.4g} {}",
         channel.regressors.size(), closest.name, strength, std::abs(a.sigmas), shown_signed(channel, low.mean),
-        difference_unit(channel), low.high, closest.unit, shown_signed(channel, high.mean), difference_unit(channel),
-        high.low, closest.unit);
+        difference_unit(channel.unit.name), low.high, closest.unit, shown_signed(channel, high.mean),
+        difference_unit(channel.unit.name), high.low, closest.unit);
 }
 
 }  // namespace
 
-std::string difference_unit(const ComparedChannel& channel) {
-    const std::string_view name = channel.unit.name;
-    return std::string(name == "degC" ? "K" : name);
-}
-
 std::string grid_error_text(const std::string& channel, const solver::ShownUnit& unit, double error) {
-    const std::string_view name = unit.name;
-    return fmt::format("at most {:.2g} {} of {}", unit.difference(error), name == "degC" ? "K" : name, channel);
+    return fmt::format("at most {:.2g} {} of {}", unit.difference(error), difference_unit(unit.name), channel);
 }
 
 std::string too(const solver::ShownUnit& unit, bool large) {
@@ -126,23 +119,49 @@ std::string shown_signed(const ComparedChannel& channel, double difference) {
     return (difference >= 0.0 ? "+" : "") + shown(channel, difference);
 }
 
-std::string headline(const ComparedChannel& channel) {
+namespace {
+
+/// "; at most -2.30 K, at 31 s of wet": the largest difference; empty where there is none.
+std::string largest_text(const ComparedChannel& channel, const std::vector<std::string>& runs) {
+    double most = 0.0;
+    double when = 0.0;
+    std::size_t run = 0;
+    for (const ComparedSeries& series : channel.series) {
+        const std::vector<double> differences = series.difference();
+        for (std::size_t i = 0; i < differences.size(); ++i) {
+            if (std::abs(differences[i]) > std::abs(most)) {
+                most = differences[i];
+                when = series.time[i];
+                run = series.run;
+            }
+        }
+    }
+    return most == 0.0
+               ? ""
+               : fmt::format("; at most {} {}, at {:.4g} s{}", shown_signed(channel, most),
+                             difference_unit(channel.unit.name), when, runs.size() > 1 ? " of " + runs[run] : "");
+}
+
+}  // namespace
+
+std::string headline(const ComparedChannel& channel, const std::vector<std::string>& runs) {
     const Figures& f = channel.figures;
-    const std::string unit = difference_unit(channel);
+    const std::string unit = difference_unit(channel.unit.name);
     const std::string size =
         fmt::format("{} +- {} {}", shown(channel, std::abs(f.bias)), shown(channel, f.bias_deviation), unit);
     const bool is_plain = std::abs(f.bias) >= plain * f.bias_deviation;
-    std::string text =
-        is_plain
-            ? fmt::format("{}: {} too {} in the mean", channel.name, size, too(channel.unit, f.bias > 0.0))
-            : fmt::format("{}: mean difference {}{}, not significant", channel.name, f.bias < 0.0 ? "-" : "+", size);
+    const std::string of_runs = runs.size() > 1 ? fmt::format(" of {} runs", runs.size()) : "";
+    std::string text = is_plain ? fmt::format("{}: simulated {} too {} in the mean{}", channel.name, size,
+                                              too(channel.unit, f.bias > 0.0), of_runs)
+                                : fmt::format("{}: mean difference{} {}{}, not significant", channel.name, of_runs,
+                                              f.bias < 0.0 ? "-" : "+", size);
     text += fmt::format("; rms {} {}", shown(channel, f.rmse), unit);
     if (const double times = times_the_sensor(channel); times > 0.0) {
         text += fmt::format(", {:.2g} times the {} of {} {}", times,
                             channel.sensor_is_stated ? "sensor's standard deviation" : "noise",
                             shown(channel, channel.sensor), unit);
     }
-    return text + ".";
+    return text + largest_text(channel, runs) + ".";
 }
 
 std::string chance_text(double chance) { return chance < 1e-9 ? "< 1e-9" : fmt::format("{:.1g}", chance); }
@@ -159,7 +178,7 @@ std::string corner_sentence(const ComparedChannel& channel, const CommonBias& co
     const std::string most = shown(channel, std::abs(common.most));
     return fmt::format("{}, {}: {} too {}, by {} {}", channel.name, name_of(common.phase), who,
                        too(channel.unit, common.most > 0.0), least == most ? most : least + " to " + most,
-                       difference_unit(channel));
+                       difference_unit(channel.unit.name));
 }
 
 std::vector<std::string> sentences(const ComparedChannel& channel) {

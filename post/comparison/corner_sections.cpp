@@ -27,7 +27,9 @@ Section corner_section(const std::vector<ComparedChannel>& channels, const std::
             const bool is_first = &corner == &channel.corners.front();
             DataTable::Row row{
                 {"channel", "channel", {channel.name, is_first ? channel.name : "", false}},
-                {"unit", "unit", {difference_unit(channel), is_first ? difference_unit(channel) : "", false}},
+                {"unit",
+                 "unit",
+                 {difference_unit(channel.unit.name), is_first ? difference_unit(channel.unit.name) : "", false}},
                 {"corner", "corner", corner.corner}};
             row = joined(std::move(row), figures(channel, corner.figures, true));
             for (const Phase phase : diagnosis::phases) {

@@ -8,6 +8,7 @@
 #include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/page/cell_chart.hpp"
 #include "post/page/charts.hpp"
+#include "post/report/number_text.hpp"
 #include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
@@ -58,7 +59,7 @@ void add_channel_gain_charts(Section& section, const DiagnosisRecord& record) {
     std::vector<std::string> units;
     const auto unit_name = [&](const ChannelGain& gain) -> std::string {
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[gain.channel];
-        return channel.quantity == solver::Quantity::temperature ? "K" : solver::shown_unit(channel.quantity).name;
+        return difference_unit(solver::shown_unit(channel.quantity).name);
     };
     for (const ChannelGain& gain : record.result.channels) {
         if (const std::string unit = unit_name(gain); std::ranges::find(units, unit) == units.end()) {
@@ -89,8 +90,7 @@ void add_channel_gain_charts(Section& section, const DiagnosisRecord& record) {
         }
         section.chart("Before and after, channel by channel",
                       "Root mean square of simulated - measured with the fitted base model and with the extended one. "
-                      "Held out: on "
-                      "data that took no part in naming or fitting.",
+                      "Held out: on data that took no part in naming or fitting.",
                       grouped_bar_chart("rms of the difference", unit, series, groups));
     }
 }
@@ -111,12 +111,11 @@ void add_held_out_chart(Section& section, const DiagnosisRecord& record) {
         add(run.name, run.gain);
     }
     if (!bars.empty()) {
-        section.chart(
-            "Gain on data left out",
-            "Share of the removable error (mean square beyond the noise) that the extension removes on data that "
-            "took no part in naming or fitting, with its 95 % interval; of each run alone on blocks of it. Framed: "
-            "confirmed. Below zero the extension makes it worse.",
-            bar_chart("removed error", "%", bars));
+        section.chart("Gain on data left out",
+                      "Share of the removable error (mean square beyond the noise) that the extension removes on data "
+                      "that took no part in naming or fitting, with its 95 % interval; of each run alone on blocks of "
+                      "it. Framed: confirmed. Below zero the extension makes it worse.",
+                      bar_chart("removed error", "%", bars));
     }
 }
 

@@ -111,8 +111,8 @@ Section causes_section(const Diagnosis& result) {
     section.add(std::move(table));
     add_cause_charts(section, result);
     section.say(
-        fmt::format("{}sigma: standard deviations from no effect or from the case's value; gain: in log "
-                    "likelihood over the model without it, the free parameters fitted anew each time.",
+        fmt::format("{}sigma: standard deviations from no effect or from the case's value; gain: in log likelihood "
+                    "over the model without it, the free parameters fitted anew each time.",
                     std::ranges::any_of(result.causes, &Cause::in_set) ? "*: in the set; " : ""));
     if (others > most_others) {
         section.say(fmt::format("{} more are less likely; all of them stand in diagnosis.json.", others - most_others));
@@ -123,16 +123,10 @@ Section causes_section(const Diagnosis& result) {
 Value causes_data(const Diagnosis& result) {
     Value::List list;
     for (const Cause& cause : result.causes) {
-        Value parameters = Value::Object{};
-        for (const CauseNumber& one : cause.numbers) {
-            parameters.set(
-                one.key,
-                {{"value", one.value}, {"unit", slashed_unit(one.unit)}, {"low", one.low}, {"high", one.high}});
-        }
         list.push_back({{"id", cause.id},
                         {"channel", text_or_null(cause.channel)},
                         {"place", text_or_null(cause.place)},
-                        {"parameters", parameters},
+                        {"parameters", parameters_data(cause)},
                         {"instead_of", cause.instead_of},
                         {"sigma", cause.sigma},
                         {"log_likelihood_gain", cause.gain},
@@ -210,10 +204,6 @@ Section next_section(const Diagnosis& result) {
     return section;
 }
 
-std::string shown_name_of_unit(const solver::Channel& channel) {
-    return channel.quantity == solver::Quantity::temperature ? "K" : solver::shown_unit(channel.quantity).name;
-}
-
 DataTable channels(const DiagnosisRecord& record) {
     DataTable table;
     for (const ChannelGain& gain : record.result.channels) {
@@ -221,7 +211,7 @@ DataTable channels(const DiagnosisRecord& record) {
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
         const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
         table.add({{"channel", "name", channel.name},
-                   {"unit", "unit", shown_name_of_unit(channel)},
+                   {"unit", "unit", difference_unit(unit.name)},
                    {"rms before", "rmse_before", show(gain.rmse_before)},
                    {"after", "rmse_after", show(gain.rmse_after)},
                    {"held out before", "heldout_before", show(gain.heldout_before)},
@@ -241,8 +231,7 @@ Section gain_section(const DiagnosisRecord& record, DataTable table) {
         const double decades = gain.log_e / std::log(10.0);
         section.say(fmt::format(
             "On {} that took no part in fitting, {:.0f} % of the error that a model could remove (mean square) is "
-            "removed "
-            "(95 %: {:.0f} to {:.0f} %){}; {}.",
+            "removed (95 %: {:.0f} to {:.0f} %){}; {}.",
             gain.within_run ? "blocks of the run" : "runs", 100.0 * gain.removable_removed, 100.0 * gain.low,
             100.0 * gain.high, gain.over.empty() ? "" : ", measured against " + gain.over,
             gain.confirmed ? fmt::format("confirmed there, at odds of {}",
@@ -315,7 +304,7 @@ DataTable model_error(const DiagnosisRecord& record) {
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[error.channel];
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
         table.add({{"channel", "channel", channel.name},
-                   page_only("unit", shown_name_of_unit(channel)),
+                   page_only("unit", difference_unit(unit.name)),
                    {"beyond the noise, rms", "size", shown("{:.2g}", unit.difference(error.size))},
                    {"correlation time [s]", "time_scale", shown("{:.2g}", error.time_scale)}});
     }
@@ -357,7 +346,7 @@ DataTable noise(const DiagnosisRecord& record) {
         const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
         const std::string time = noise.white_share < 1.0 ? fmt::format("{:.3g} s", noise.correlation_time) : "white";
         table.add({{"channel", "channel", channel.name},
-                   page_only("unit", shown_name_of_unit(channel)),
+                   page_only("unit", difference_unit(unit.name)),
                    {"sigma", "sigma", show(noise.sigma)},
                    page_only("data sheet", channel.standard_deviation ? show(*channel.standard_deviation) : right("-")),
                    page_only("correlation time", right(time)),
@@ -450,9 +439,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     for (const input::MeasuredRun& run : record.experiment.runs) {
         extrapolations.add(run.problem);
     }
-    std::vector<std::string> warnings = record.warnings;
-    std::ranges::move(extrapolations.warnings(), std::back_inserter(warnings));
-    report.add("Warnings", "warnings", warnings);
+    report.add_warnings(record.warnings, extrapolations.warnings());
     report.add(files);
     report.data.set("simulations", result.simulations);
     report.data.set("seconds", result.seconds);

@@ -133,13 +133,11 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
         return fmt::format(
             "The model is too coarse for these data: its discretisation error (steps and grid) is {:.1f} standard "
             "deviations, and {:g} are allowed. It falls with the square of the spacing: {:.2g} times as many cells in "
-            "every "
-            "direction would do.",
+            "every direction would do.",
             diagnosis.numerical_error_sigma, coarse, std::sqrt(diagnosis.numerical_error_sigma / coarse));
     }
     return "These data do not allow a diagnosis: too little is left beside the free parameters. Longer runs, runs "
-           "under "
-           "other conditions or more sensors would help.";
+           "under other conditions or more sensors would help.";
 }
 
 }  // namespace
@@ -165,6 +163,15 @@ std::string name_of(const Cause& cause) {
     }
     const std::string& where = cause.channel.empty() ? cause.place : cause.channel;
     return where.empty() ? cause.id : fmt::format("{} of {}", cause.id, where);
+}
+
+Value parameters_data(const Cause& cause) {
+    Value parameters = Value::Object{};
+    for (const CauseNumber& one : cause.numbers) {
+        parameters.set(one.key,
+                       {{"value", one.value}, {"unit", slashed_unit(one.unit)}, {"low", one.low}, {"high", one.high}});
+    }
+    return parameters;
 }
 
 std::string size_of(const CauseNumber& number) {
@@ -262,9 +269,9 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
         if (best != nullptr) {
             const solver::Channel& channel = record.experiment.runs.front().problem.channels[best->channel];
             const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-            text += fmt::format(" ({}: rms from {:.2g} to {:.2g} {})", channel.name,
-                                unit.difference(best->heldout_before), unit.difference(best->heldout_after),
-                                channel.quantity == solver::Quantity::temperature ? "K" : unit.name);
+            text +=
+                fmt::format(" ({}: rms from {:.2g} to {:.2g} {})", channel.name, unit.difference(best->heldout_before),
+                            unit.difference(best->heldout_after), difference_unit(unit.name));
         }
         text += ".";
         if (const std::string range = driven_range(record); gain.confirmed && !range.empty()) {
@@ -276,11 +283,9 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
         const ModelError& most = *std::ranges::max_element(result.model_error, {}, &ModelError::size);
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[most.channel];
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        said.push_back(
-            fmt::format("Remaining error: {} differs by {:.2g} {} rms beyond its noise. At least one more effect is "
-                        "missing.",
-                        channel.name, unit.difference(most.size),
-                        channel.quantity == solver::Quantity::temperature ? "K" : unit.name));
+        said.push_back(fmt::format(
+            "Remaining error: {} differs by {:.2g} {} rms beyond its noise. At least one more effect is missing.",
+            channel.name, unit.difference(most.size), difference_unit(unit.name)));
     }
     if (!result.next.empty() && result.verdict != Verdict::confounded) {
         said.push_back(fmt::format("Next measurement: {}.", result.next.front().name));
@@ -299,8 +304,7 @@ std::string reason_of(const DiagnosisRecord& record) {
             return unknown(diagnosis, record.experiment);
         case Verdict::consistent:
             return "The model, its free parameters fitted, agrees with these data within their noise; whatever else "
-                   "acts "
-                   "is smaller than its upper limit.";
+                   "acts is smaller than its upper limit.";
         case Verdict::cannot_tell:
             return cannot_tell(diagnosis);
         case Verdict::partial:

@@ -15,6 +15,8 @@ namespace tiretherm::post {
 /// "conductance 8.1 W/K (7.2 to 9.0)", every number with its interval; one that was held has none.
 [[nodiscard]] std::string size_of(const diagnosis::Cause& cause);
 [[nodiscard]] std::string size_of(const diagnosis::CauseNumber& number);
+/// The fitted numbers of a cause by their keys.
+[[nodiscard]] Value parameters_data(const diagnosis::Cause& cause);
 /// What an effect does to the readings, as the catalogue says it; empty for one that is not there.
 [[nodiscard]] std::string meaning_of(const diagnosis::Cause& cause);
 /// "heat at surface that follows throttle: 310 W where that is largest (250 to 370)"

@@ -42,7 +42,7 @@ DataTable phases(const std::vector<ComparedChannel>& base, const std::vector<Com
             return DataTable::Row{page_only("channel", std::move(name)), page_only("unit", std::move(unit)),
                                   page_only("while", phase), page_only("of the time", right(std::move(share)))};
         };
-        add(names(base[c].name, difference_unit(base[c]), "all", ""), base[c].figures,
+        add(names(base[c].name, difference_unit(base[c].unit.name), "all", ""), base[c].figures,
             extended.empty() ? nullptr : &extended[c].figures);
         for (std::size_t p = 0; p < base[c].phases.size() && base[c].phases.size() > 1; ++p) {
             const PhaseFigures& phase = base[c].phases[p];

@@ -220,16 +220,10 @@ Value run_verdicts_data(const DiagnosisRecord& record) {
         Value::List causes;
         for (std::size_t h = 0; h < run.hypotheses.size(); ++h) {
             for (const Cause& cause : run.hypotheses[h]) {
-                Value parameters = Value::Object{};
-                for (const CauseNumber& one : cause.numbers) {
-                    parameters.set(
-                        one.key,
-                        {{"value", one.value}, {"unit", slashed_unit(one.unit)}, {"low", one.low}, {"high", one.high}});
-                }
                 causes.push_back({{"id", cause.id},
                                   {"channel", text_or_null(cause.channel)},
                                   {"place", text_or_null(cause.place)},
-                                  {"parameters", parameters},
+                                  {"parameters", parameters_data(cause)},
                                   {"sigma", cause.sigma},
                                   {"hypothesis", h + 1}});
             }

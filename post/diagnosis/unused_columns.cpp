@@ -30,8 +30,7 @@ Section unused_columns_section(const input::Experiment& experiment) {
         section.add(std::move(table));
         section.say(
             "Unknown heat and errors of sensors may follow the inputs and the columns that were tried. A temperature "
-            "of the "
-            "tire, a copy, a result or a clock is no cause. [diagnose] signals and ignore change that.");
+            "of the tire, a copy, a result or a clock is no cause. [diagnose] signals and ignore change that.");
     }
     return section;
 }

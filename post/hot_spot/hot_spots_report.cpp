@@ -145,7 +145,7 @@ void say_spread(Section& section, const solver::Spread& spread, double critical)
 Section spot_part(const HotSpots& all, const HotSpot& spot, const mesh::Mesh& mesh) {
     const solver::Critical& critical = spot.history.critical();
     const std::size_t row = spot.history.hottest_row();
-    const double hottest = spot.history.temperature()[row];
+    const double hottest = spot.hottest.temperature;
     const double margin = critical.temperature - hottest;
     Section part(fmt::format("{}{}: critical {} degC", critical.name,
                              critical.part.empty() ? "" : " (" + critical.part + ")", degrees(critical.temperature)));
@@ -215,16 +215,14 @@ void add_history_chart(Section& section, const HotSpots& hot_spots) {
     }
     const std::vector<double>& seconds = hot_spots.spots.front().history.time();
     const TimeUnit unit = time_unit(seconds.back() - seconds.front());
-    std::vector<double> t = seconds;
-    std::ranges::for_each(t, [&](double& time) { time /= unit.seconds; });
+    const std::vector<double> t = scaled(seconds, 1.0 / unit.seconds);
     LineChart chart("time", unit.name, t.front(), t.back());
     chart.add_panel("temperature", "°C");
     std::set<std::string> drawn;
     const auto add = [&](const std::string& name, const std::string& group, CurveRole role,
-                         std::vector<double> kelvin) {
+                         const std::vector<double>& kelvin) {
         if (drawn.insert(name).second) {
-            std::ranges::transform(kelvin, kelvin.begin(), solver::celsius);
-            chart.add_curve(name, group, role, t, kelvin);
+            chart.add_curve(name, group, role, t, converted(kelvin, solver::celsius));
         }
     };
     for (const HotSpot& spot : hot_spots.spots) {
@@ -280,8 +278,8 @@ Value hot_spots_data(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
                         {"part", critical.part},
                         {"critical", solver::celsius(critical.temperature)},
                         {"unit", "degC"},
-                        {"hottest", solver::celsius(found.temperature)},
-                        {"margin", critical.temperature - found.temperature},
+                        {"hottest", solver::celsius(spot.hottest.temperature)},
+                        {"margin", critical.temperature - spot.hottest.temperature},
                         {"layer", place.layer},
                         {"zone", text_or_null(place.zone)},
                         {"position", where(place.position.has_value(), position)},

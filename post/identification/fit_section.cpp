@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "post/comparison/comparison_sentences.hpp"
+#include "post/report/number_text.hpp"
 #include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
@@ -22,7 +23,7 @@ DataTable fitted_channels(const IdentificationRecord& record) {
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
         const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
         table.add({{"channel", "name", fit.name},
-                   {"unit", "unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
+                   {"unit", "unit", difference_unit(unit.name)},
                    {"samples", "samples", count(static_cast<std::size_t>(fit.samples))},
                    {"rms before", "rmse_before", show(fit.rmse_before)},
                    {"rms after", "rmse_after", show(fit.rmse_after)},
@@ -120,7 +121,7 @@ DataTable left_out_table(const IdentificationRecord& record) {
             const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
             table.add({{"left out", "left_out", {one.name, is_first ? one.name : "", false}},
                        {"channel", "channel", record.observations.names[part.noise]},
-                       {"unit", "unit", channel.quantity == solver::Quantity::temperature ? "K" : unit.name},
+                       {"unit", "unit", difference_unit(unit.name)},
                        {"samples", "samples", count(static_cast<std::size_t>(part.samples))},
                        {"rms fitted", "rmse_fitted", show(part.rms_fitted)},
                        {"rms predicted", "rmse_predicted", show(part.rms_predicted)},
@@ -141,9 +142,8 @@ Section left_out_section(const IdentificationRecord& record, DataTable table) {
     section.add(std::move(table));
     section.say(
         "Each is predicted by a fit without it. Expected: what the fit leaves of the rest, and what the rest does not "
-        "know, "
-        "if the model is right; a part that is wrong makes the noise and so this larger. sd: standard deviations of "
-        "what chance would move a parameter, if the model is right.");
+        "know, if the model is right; a part that is wrong makes the noise and so this larger. sd: standard deviations "
+        "of what chance would move a parameter, if the model is right.");
     if (record.observations.n_recordings() > 1) {
         section.say("The start of a run that is left out is fitted to the run itself.");
     }
@@ -152,12 +152,11 @@ Section left_out_section(const IdentificationRecord& record, DataTable table) {
         for (Eigen::Index j = 0; j < one.moves.size(); ++j) {
             if (std::abs(one.moves[j]) > limit) {
                 const auto index = static_cast<std::size_t>(j);
-                section.item(
-                    fmt::format("without {} {} is {:.3g} and not {:.3g}, {:.1f} standard deviations of such a move: "
-                                "the model, or what is "
-                                "said to be known before, is wrong there or in the rest; run diagnose",
-                                one.name, record.experiment.parameters[index].name, one.values[j],
-                                record.result.fitted[index].value, std::abs(one.moves[j])));
+                section.item(fmt::format(
+                    "without {} {} is {:.3g} and not {:.3g}, {:.1f} standard deviations of such a move: the model, or "
+                    "what is said to be known before, is wrong there or in the rest; run diagnose",
+                    one.name, record.experiment.parameters[index].name, one.values[j],
+                    record.result.fitted[index].value, std::abs(one.moves[j])));
             }
         }
     }

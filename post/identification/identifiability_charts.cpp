@@ -76,8 +76,7 @@ void add_correlations(Section& section, const IdentificationRecord& record) {
     columns.pop_back();
     section.chart("Which parameters the data tell apart",
                   "Correlation of each pair. Near 0 each is determined by itself. Near -1 only the sum of the two is "
-                  "known, near +1 "
-                  "only their difference: a change of one can be made up for by the other.",
+                  "known, near +1 only their difference: a change of one can be made up for by the other.",
                   cell_chart({.name = "", .words = std::move(columns)}, {.name = "", .words = std::move(rows)},
                              {.name = "correlation", .is_signed = true, .reach = 1.0}, cells));
 }
@@ -114,9 +113,9 @@ void add_directions(Section& section, const IdentificationRecord& record) {
     }
     section.chart(
         "Combinations that the data see least",
-        "Each row is a combination of the parameters, the least seen first. Beside it: how many times smaller "
-        "its uncertainty is by the data than by what was known before; below 1 the data add little. Moving all "
-        "parameters of a row as coloured, each in its own uncertainty, changes the readings least.",
+        "Each row is a combination of the parameters, the least seen first. Beside it: how many times smaller its "
+        "uncertainty is by the data than by what was known before; below 1 the data add little. Moving all parameters "
+        "of a row as coloured, each in its own uncertainty, changes the readings least.",
         cell_chart({.name = "", .words = names_of(record)}, {.name = "", .words = std::move(rows)},
                    {.name = "part", .is_signed = true, .reach = 1.0}, cells));
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts what the data determine and words the first parameters with their intervals.
+// Words the first parameters with their intervals and counts what the data determine.
 #include "post/identification/identification_headline.hpp"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-constexpr std::size_t most_parameters = 4;
+constexpr std::size_t most_parameters = 3;
 constexpr std::size_t most_channels = 4;
 
 /// "2 of 6 parameters are determined by the data, 3 doubtful, 1 at bound."
@@ -77,8 +78,8 @@ std::string misfits(const IdentificationRecord& record) {
     for (const ChannelFit& fit : record.result.channels) {
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[fit.channel];
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        const char* name = channel.quantity == solver::Quantity::temperature ? "K" : unit.name;
-        std::string part = fmt::format("{} {:.3g} {}", fit.name, unit.difference(fit.rmse_after), name);
+        std::string part =
+            fmt::format("{} {:.3g} {}", fit.name, unit.difference(fit.rmse_after), difference_unit(unit.name));
         part += fit.stated > 0.0 ? fmt::format(" (data sheet {:.3g})", unit.difference(fit.stated)) : "";
         parts.push_back(std::move(part));
     }
@@ -102,11 +103,17 @@ std::string interval_text(const Fitted& one, bool planned) {
 }
 
 std::vector<std::string> identification_headline(const IdentificationRecord& record) {
-    std::vector<std::string> sentences{counts(record)};
-    const std::vector<std::size_t> shown = of_interest(record);
-    for (std::size_t i = 0; i < std::min(shown.size(), most_parameters); ++i) {
-        sentences.push_back(value_text(record, shown[i]) + ".");
+    std::vector<std::size_t> shown = of_interest(record);
+    const std::size_t left_out = shown.size() - std::min(shown.size(), most_parameters);
+    shown.resize(shown.size() - left_out);
+    std::vector<std::string> values;
+    std::ranges::transform(shown, std::back_inserter(values), [&](std::size_t j) { return value_text(record, j); });
+    std::vector<std::string> sentences;
+    if (!values.empty()) {
+        sentences.push_back(fmt::format("{}{}.", fmt::join(values, "; "),
+                                        left_out > 0 ? fmt::format("; {} more below", left_out) : ""));
     }
+    sentences.push_back(counts(record));
     if (std::string fit = record.planned ? "" : misfits(record); !fit.empty()) {
         sentences.push_back(std::move(fit));
     }

@@ -271,9 +271,7 @@ Report identification_report(const IdentificationRecord& record, const std::vect
                                  fmt::join(result.non_smooth_parameters, ", ")));
     }
     report.add(std::move(switches));
-    std::vector<std::string> warnings = record.warnings;
-    std::ranges::move(extrapolations.warnings(), std::back_inserter(warnings));
-    report.add("Warnings", "warnings", warnings);
+    report.add_warnings(record.warnings, extrapolations.warnings());
     report.add(files);
     report.data.set("simulations", result.simulations);
     report.data.set("seconds", result.seconds);

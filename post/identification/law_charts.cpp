@@ -43,9 +43,8 @@ Section law_charts(const IdentificationRecord& record) {
         }
         section.chart(
             std::move(title),
-            fmt::format("From {:.1f} to {:.1f} °C, what sensors and cameras have measured. The band is of "
-                        "first order, from the intervals of the parameters and their correlation. As numbers: "
-                        "laws.csv.",
+            fmt::format("From {:.1f} to {:.1f} °C, what sensors and cameras have measured. The band is of first order, "
+                        "from the intervals of the parameters and their correlation. As numbers: laws.csv.",
                         found.celsius.front(), found.celsius.back()),
             chart.data());
     }

@@ -67,10 +67,6 @@ const LapRow* find(const Rows& rows, const std::string& run, const std::string& 
     return found == rows.end() ? nullptr : *found;
 }
 
-std::string difference_name(const LapRow& row) {
-    return std::string_view(row.unit.name) == "degC" ? "K" : row.unit.name;
-}
-
 Cell cell(const LapRow& row, double si) {
     const double value = row.unit.value(si);
     return std::abs(value) < compact_from ? shown("{:.2f}", value) : shown("{:.4g}", value);
@@ -147,7 +143,7 @@ void add_biases(DataTable& table, const Rows& rows, const std::vector<std::strin
     for (const std::string& lap : laps) {
         const bool is_first = lap == laps.front();
         DataTable::Row line{page_only("channel", is_first ? rows.front()->channel : ""),
-                            page_only("unit", is_first ? difference_name(*rows.front()) : ""),
+                            page_only("unit", is_first ? difference_unit(rows.front()->unit.name) : ""),
                             page_only("lap", right(lap))};
         for (std::size_t r = 0; r < runs.size(); ++r) {
             const LapRow* row = find(rows, runs[r], lap);

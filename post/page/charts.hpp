@@ -2,11 +2,13 @@
 // Data of the charts of a page, in the units that are shown, as report.js takes them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "post/report/value.hpp"
@@ -54,8 +56,10 @@ public:
     void add_mark(const std::string& name, const std::string& group, double x, double y);
     /// A part of the shared axis with a name: a step, a lap, a run. Without a name it is shaded alike.
     void add_span(const std::string& name, double from, double to);
-    /// How many points of a curve are shown at most; charts with many curves need fewer of each. Holds for later curves.
-    void limit_points(std::size_t most) { most_points_ = most; }
+    /// Of many curves fewer points each are shown, so that a page stays small. Holds for later curves.
+    void share_points(std::size_t in_all, std::size_t curves) {
+        most_points_ = std::clamp<std::size_t>(in_all / std::max<std::size_t>(curves, 1), 200, 2400);
+    }
     /// Charts of one page with the same link zoom and show their cursors together.
     void set_link(std::string link) { link_ = std::move(link); }
 
@@ -103,6 +107,18 @@ struct BarGroup {
 [[nodiscard]] Value grouped_bar_chart(std::string_view what, std::string_view unit,
                                       const std::vector<std::string>& series, const std::vector<BarGroup>& groups,
                                       const std::vector<Bar>& levels = {});
+
+/// Each value as a chart shows it: in other units.
+template <typename Convert>
+[[nodiscard]] std::vector<double> converted(std::vector<double> values, Convert convert) {
+    for (double& value : values) {
+        value = convert(value);
+    }
+    return values;
+}
+[[nodiscard]] inline std::vector<double> scaled(std::vector<double> values, double factor) {
+    return converted(std::move(values), [&](double value) { return factor * value; });
+}
 
 /// A number with so many digits as a chart shows.
 [[nodiscard]] double rounded(double value, int digits = 6);

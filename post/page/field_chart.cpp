@@ -14,6 +14,7 @@
 #include "post/page/charts.hpp"
 #include "post/pictures/section_plane.hpp"
 #include "post/report/base64.hpp"
+#include "post/report/number_text.hpp"
 #include "solver/celsius.hpp"
 
 namespace tiretherm::post {
@@ -25,11 +26,6 @@ constexpr double per_metre = 1e3;                  ///< mm
 constexpr double steps = 65535.0;
 
 double mm(double metres) { return rounded(per_metre * metres, 5); }
-
-std::string words(std::string name) {
-    std::ranges::replace(name, '_', ' ');
-    return name;
-}
 
 /// Numbers of a polygon, corner after corner.
 template <std::size_t N>
@@ -75,19 +71,13 @@ Value::List borders_of(const FoldedSection& section) {
 Value::List names_of(const FoldedSection& section, const mesh::Mesh& mesh) {
     Value::List names;
     for (std::size_t zone = 0; zone < mesh.zones.size(); ++zone) {
-        std::vector<const mesh::Column*> own;
-        for (const mesh::Column& column : mesh.columns) {
-            if (column.zone == static_cast<int>(zone)) {
-                own.push_back(&column);
-            }
-        }
-        if (own.empty()) {
+        const std::optional<FoldedSection::Place> below = section.below_zone(zone);
+        if (!below) {
             continue;
         }
-        const mesh::Column& middle = *own[own.size() / 2];
-        const FoldedSection::Place at = section.in_cell(middle.first_cell + middle.cells() - 1, 0.0, 0.0);
+        const FoldedSection::Place& at = *below;
         constexpr double beside = 4.0;  // mm
-        names.emplace_back(Value{{"name", words(mesh.zones[zone])},
+        names.emplace_back(Value{{"name", in_words(mesh.zones[zone])},
                                  {"x", mm(at[0]) + (at[0] < -0.05 ? beside : -beside)},
                                  {"y", mm(at[1]) - beside},
                                  {"align", at[0] < -0.05 ? "left" : "right"}});
@@ -116,7 +106,7 @@ Value::List layer_places_of(const FoldedSection& section, const mesh::Mesh& mesh
         // Side by side: 4 mm from one to the next.
         const double along = 0.5 * (column.from + column.to) + 4e-3 * static_cast<double>(places.size());
         if (const auto at = section.place(along, depth)) {
-            places.emplace_back(Value{{"name", words(mesh.layers[static_cast<std::size_t>(layer(k))])},
+            places.emplace_back(Value{{"name", in_words(mesh.layers[static_cast<std::size_t>(layer(k))])},
                                       {"x", mm((*at)[0])},
                                       {"y", mm((*at)[1])}});
         }
@@ -266,9 +256,10 @@ Value FieldFrames::outline() const {
         if (k + 1 == grid.size(2) || index(k) != index(k + 1)) {
             const double top = grid.edge[2][static_cast<std::size_t>(first)];
             const double bottom = grid.edge[2][static_cast<std::size_t>(k) + 1];
-            layer_places.emplace_back(Value{{"name", words(problem_.mesh.layers[static_cast<std::size_t>(index(k))])},
-                                            {"x", across.low},
-                                            {"y", mm(0.5 * (top + bottom))}});
+            layer_places.emplace_back(
+                Value{{"name", in_words(problem_.mesh.layers[static_cast<std::size_t>(index(k))])},
+                      {"x", across.low},
+                      {"y", mm(0.5 * (top + bottom))}});
             first = k + 1;
         }
     }
@@ -375,12 +366,11 @@ Value FieldFrames::chart(const diagnosis::HotSpots* hot_spots) const {
 std::string FieldFrames::caption(const diagnosis::HotSpots* hot_spots) const {
     std::string layers;
     for (const std::string& layer : problem_.mesh.layers) {
-        layers += (layers.empty() ? "" : ", ") + words(layer);
+        layers += (layers.empty() ? "" : ", ") + in_words(layer);
     }
     return fmt::format(
         "One colour scale for all moments; the circle is the hottest place of the moment that is shown.{}{}{} Layers "
-        "from the "
-        "outside in: {}.",
+        "from the outside in: {}.",
         folded_ && hot_spots != nullptr ? " The diamonds are the hot spots of the parts with a critical temperature."
                                         : "",
         problem_.mesh.sectors > 1 ? " Mean around the tire." : "",

@@ -13,22 +13,11 @@
 #include "diagnosis/compare/comparison_statistics.hpp"
 #include "post/page/charts.hpp"
 #include "post/page/input_panels.hpp"
+#include "post/report/number_text.hpp"
 
 namespace tiretherm::post {
 
 namespace {
-
-/// Of a difference of two temperatures.
-std::string difference_unit_name(std::string_view unit) { return unit == "degC" ? "K" : std::string(unit); }
-
-template <typename Convert>
-std::vector<double> converted(const std::vector<double>& values, Convert convert) {
-    std::vector<double> shown;
-    for (const double value : values) {
-        shown.push_back(convert(value));
-    }
-    return shown;
-}
 
 /// Names in the order in which they first appear.
 template <typename NameOf>
@@ -86,10 +75,9 @@ void add_in_pieces(LineChart& chart, const std::string& name, const std::string&
 void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& series, double seconds) {
     const std::string_view unit = series.front()->unit.name;
     const bool is_temperature = unit == "degC";
-    const auto minutes = [&](double t) { return t / seconds; };
     chart.add_panel(is_temperature ? "temperature" : series.front()->channel, axis_unit(unit));
     for (const MeasuredSeries* one : series) {
-        const std::vector<double> t = converted(one->time, minutes);
+        const std::vector<double> t = scaled(one->time, 1.0 / seconds);
         const auto value = [&](double si) { return one->unit.value(si); };
         chart.add_curve(one->channel + ", measured", one->channel, CurveRole::points, t,
                         converted(one->measured, value));
@@ -98,9 +86,9 @@ void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& seri
                           converted(one->models[m].simulated, value));
         }
     }
-    chart.add_panel("simulated - measured", difference_unit_name(unit), true);
+    chart.add_panel("simulated - measured", difference_unit(unit), true);
     for (const MeasuredSeries* one : series) {
-        const std::vector<double> t = converted(one->time, minutes);
+        const std::vector<double> t = scaled(one->time, 1.0 / seconds);
         for (std::size_t m = 0; m < one->models.size(); ++m) {
             std::vector<double> difference;
             for (std::size_t i = 0; i < one->measured.size(); ++i) {
@@ -124,15 +112,7 @@ void add_panels(LineChart& chart, const std::vector<const MeasuredSeries*>& seri
     chart.add_level("", 0.0);
 }
 
-/// Points of a curve, so that the page stays small whatever number of curves it has.
-std::size_t points_of_each(const std::vector<const MeasuredSeries*>& series) {
-    constexpr std::size_t on_the_page = 120'000;
-    std::size_t curves = 1;
-    for (const MeasuredSeries* one : series) {
-        curves += 1 + 2 * one->models.size();
-    }
-    return std::clamp<std::size_t>(on_the_page / curves, 200, 2400);
-}
+constexpr std::size_t points_on_the_page = 120'000;
 
 }  // namespace
 
@@ -149,8 +129,10 @@ Section measured_section(const std::vector<MeasuredSeries>& series, const std::v
     std::vector<const MeasuredSeries*> all;
     double low = 1e300;
     double high = -1e300;
+    std::size_t curves = 1;
     for (const MeasuredSeries& one : series) {
         if (one.time.size() > 1) {
+            curves += 1 + 2 * one.models.size();
             all.push_back(&one);
             low = std::min(low, one.time.front());
             high = std::max(high, one.time.back());
@@ -162,7 +144,7 @@ Section measured_section(const std::vector<MeasuredSeries>& series, const std::v
         std::vector<const MeasuredSeries*> own;
         std::ranges::copy_if(all, std::back_inserter(own), [&](const MeasuredSeries* one) { return one->run == run; });
         LineChart chart("time", unit.name, low / unit.seconds, high / unit.seconds);
-        chart.limit_points(points_of_each(all));
+        chart.share_points(points_on_the_page, curves);
         for (const std::string& name :
              distinct(own, [](const MeasuredSeries& one) { return std::string(one.unit.name); })) {
             std::vector<const MeasuredSeries*> of_unit;
@@ -193,18 +175,17 @@ Section measured_section(const std::vector<MeasuredSeries>& series, const std::v
         }
         chart.set_link("time");
         const bool several = own.front()->models.size() > 1;
-        section.chart(
-            run.empty() ? "Measured and simulated" : run,
-            fmt::format("Points are measured; {}.{}{}{}",
-                        several ? fmt::format("dashed: {}, solid: {}", own.front()->models.front().name,
-                                              own.front()->models.back().name)
-                                : "lines are simulated",
-                        own.front()->noise > 0.0 ? " Of many samples the differences are faint and their means "
-                                                   "over a fortieth of the run are drawn over them; the band "
-                                                   "is the sensor's noise, 95 %."
-                                                 : "",
-                        bands, runs.size() > 1 ? " All runs zoom together." : ""),
-            chart.data());
+        section.chart(run.empty() ? "Measured and simulated" : run,
+                      fmt::format("Points are measured; {}.{}{}{}",
+                                  several ? fmt::format("dashed: {}, solid: {}", own.front()->models.front().name,
+                                                        own.front()->models.back().name)
+                                          : "lines are simulated",
+                                  own.front()->noise > 0.0
+                                      ? " Of many samples the differences are faint and their means over a fortieth of "
+                                        "the run are drawn over them; the band is the sensor's noise, 95 %."
+                                      : "",
+                                  bands, runs.size() > 1 ? " All runs zoom together." : ""),
+                      chart.data());
     }
     return section;
 }

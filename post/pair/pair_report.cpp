@@ -14,6 +14,7 @@
 #include "diagnosis/compare/stretch.hpp"
 #include "input/text/word_lists.hpp"
 #include "post/page/charts.hpp"
+#include "post/report/number_text.hpp"
 
 namespace tiretherm::post {
 
@@ -54,8 +55,6 @@ std::vector<CoursePair> common_courses(const StoredResult& a, const StoredResult
     }
     return pairs;
 }
-
-std::string difference_unit(const std::string& unit) { return unit == "degC" ? "K" : unit; }
 
 diagnosis::StretchValues values_of(const StoredCourse& course) {
     return diagnosis::values_between(course.time, course.value, course.time.front(), course.time.back());
@@ -257,21 +256,16 @@ void add_chart(Section& section, const std::vector<CoursePair>& pairs) {
         return;
     }
     const TimeUnit time = time_unit(high - low);
-    const auto scaled = [&](const std::vector<double>& t) {
-        std::vector<double> shorter;
-        std::ranges::transform(t, std::back_inserter(shorter), [&](double s) { return s / time.seconds; });
-        return shorter;
-    };
     LineChart chart("time", time.name, low / time.seconds, high / time.seconds);
-    chart.limit_points(std::clamp<std::size_t>(90'000 / (3 * pairs.size()), 300, 2400));
+    chart.share_points(90'000, 3 * pairs.size());
     for (const std::string& unit : units) {
         chart.add_panel(unit == "degC" ? "temperature" : "channels", axis_unit(unit));
         for (const CoursePair& pair : pairs) {
             if (pair.a->unit == unit) {
-                chart.add_curve(pair.a->name + ", A", pair.a->name, CurveRole::dashed, scaled(pair.a->time),
-                                pair.a->value);
-                chart.add_curve(pair.b->name + ", B", pair.b->name, CurveRole::line, scaled(pair.b->time),
-                                pair.b->value);
+                chart.add_curve(pair.a->name + ", A", pair.a->name, CurveRole::dashed,
+                                scaled(pair.a->time, 1.0 / time.seconds), pair.a->value);
+                chart.add_curve(pair.b->name + ", B", pair.b->name, CurveRole::line,
+                                scaled(pair.b->time, 1.0 / time.seconds), pair.b->value);
             }
         }
         chart.add_panel("B - A", axis_unit(difference_unit(unit)), true);
@@ -305,10 +299,24 @@ std::vector<std::string> only_in(const StoredResult& one, const StoredResult& ot
     return names;
 }
 
-/// "surface_temperature: maximum +3.2 K, at the end +1.1 K (B - A)."
-std::vector<std::string> verdict_of(const std::vector<CoursePair>& pairs) {
+/// "FL, hottest degC: 112.80 in A, 115.20 in B, B - A +2.40 K.", of each row of a table.
+void say_rows(std::vector<std::string>& verdict, const DataTable& table, const std::string& key, const char* what) {
+    for (const DataTable::Row& row : table.rows()) {
+        const auto a = std::ranges::find(row, key + "_a", &Field::key);
+        const std::string of = a == row.begin() ? "" : row.front().cell.text + ", ";
+        verdict.push_back(fmt::format("{}{}: {} in A, {} in B, B - A {} {}.", of, what, a->cell.text, a[1].cell.text,
+                                      a[2].cell.text, row[1].key == "unit" ? row[1].cell.text : "K"));
+    }
+}
+
+/// How far the results are apart: of runs their hottest places, of comparisons how near each is to what was measured, then the
+/// channels: "surface_temperature: maximum +3.2 K, at the end +1.1 K (B - A)."
+std::vector<std::string> verdict_of(const std::vector<CoursePair>& pairs, const DataTable& hottest,
+                                    const DataTable& biases) {
     constexpr std::size_t most = 4;
     std::vector<std::string> verdict;
+    say_rows(verdict, hottest, "hottest", "hottest place, degC");
+    say_rows(verdict, biases, "rmse", "rms of simulated - measured");
     for (const CoursePair& pair : pairs) {
         const diagnosis::StretchValues a = values_of(*pair.a);
         const diagnosis::StretchValues b = values_of(*pair.b);
@@ -336,9 +344,11 @@ Report pair_report(const StoredResult& a, const StoredResult& b) {
     const std::vector<CoursePair> pairs = common_courses(a, b);
     Report report{
         .title = fmt::format("{} against {}", a.folder.generic_string(), b.folder.generic_string()),
-        .lead = {"A: " + a.folder.generic_string(), "B: " + b.folder.generic_string(), "Differences are B - A."}};
+        .lead = {"A: " + a.folder.generic_string(), "B: " + b.folder.generic_string(), "Differences are B - A"}};
     report.data = {{"a", a.folder.generic_string()}, {"b", b.folder.generic_string()}, {"kind", a.kind}};
-    report.verdict = verdict_of(pairs);
+    DataTable of_hottest = hottest(a, b);
+    DataTable against_measured = biases(a, b);
+    report.verdict = verdict_of(pairs, of_hottest, against_measured);
     const auto add = [&](const std::string& heading, const std::string& key, DataTable table) {
         report.data.set(key, table.data());
         if (!table.empty()) {
@@ -364,8 +374,8 @@ Report pair_report(const StoredResult& a, const StoredResult& b) {
     }
     add_chart(courses, pairs);
     report.add(std::move(courses));
-    add("Against the measured values", "biases", biases(a, b));
-    add("Hottest place", "hottest", hottest(a, b));
+    add("Against the measured values", "biases", std::move(against_measured));
+    add("Hottest place", "hottest", std::move(of_hottest));
     add("Hot spots", "hot_spots", hot_spots(a, b));
     add("Heat", "heat", heat(a, b));
     return report;

@@ -15,6 +15,7 @@
 #include "post/pictures/field_layout.hpp"
 #include "post/pictures/folded_section.hpp"
 #include "post/pictures/picture.hpp"
+#include "post/report/number_text.hpp"
 #include "solver/celsius.hpp"
 
 namespace tiretherm::post {
@@ -92,29 +93,21 @@ void draw_borders(Canvas& canvas, const Page& page, const FoldedSection& section
     }
 }
 
-std::string words(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
-
 /// The name of each zone beside its middle column, inside the cavity.
 void name_zones(Canvas& canvas, const Page& page, const FoldedSection& section, const Mesh& mesh) {
     for (std::size_t zone = 0; zone < mesh.zones.size(); ++zone) {
-        std::vector<const mesh::Column*> own;
-        for (const mesh::Column& column : mesh.columns) {
-            if (column.zone == static_cast<int>(zone)) {
-                own.push_back(&column);
-            }
+        const std::optional<FoldedSection::Place> below = section.below_zone(zone);
+        if (!below) {
+            continue;
         }
-        const mesh::Column& middle = *own[own.size() / 2];
-        const Dot at = page.dot(section.in_cell(middle.first_cell + middle.cells() - 1, 0.0, 0.0));
+        const Dot at = page.dot(*below);
         const bool left = at.x < 0.4 * look::page_width;
         const bool right = at.x > 0.6 * look::page_width;
         canvas.write({left    ? at.x + 22.0
                       : right ? at.x - 22.0
                               : at.x,
                       at.y + 30.0},
-                     words(mesh.zones[zone]),
+                     in_words(mesh.zones[zone]),
                      {.size = look::text,
                       .ink = look::faint,
                       .align = left    ? Align::left

@@ -58,6 +58,18 @@ std::size_t FoldedSection::corner(int cell, std::size_t i) const {
     return static_cast<std::size_t>(mesh_->drawing.corners[4 * static_cast<std::size_t>(cell) + i]);
 }
 
+std::optional<Place> FoldedSection::below_zone(std::size_t zone) const {
+    std::vector<const mesh::Column*> own;
+    for (const mesh::Column& column : mesh_->columns) {
+        if (column.zone == static_cast<int>(zone)) {
+            own.push_back(&column);
+        }
+    }
+    return own.empty()
+               ? std::nullopt
+               : std::optional(in_cell(own[own.size() / 2]->first_cell + own[own.size() / 2]->cells() - 1, 0.0, 0.0));
+}
+
 Place FoldedSection::in_cell(int cell, double u, double v) const {
     std::array<Place, 4> at{};
     for (std::size_t i = 0; i < 4; ++i) {

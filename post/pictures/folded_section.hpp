@@ -25,6 +25,8 @@ public:
     [[nodiscard]] Place in_cell(int cell, double u, double v) const;
     /// @param along m along the meridian  @param depth m below the outer surface  @returns nothing beside the section
     [[nodiscard]] std::optional<Place> place(double along, double depth) const;
+    /// The inner side of a zone's middle column, where its name is written. @returns nothing of a zone without columns
+    [[nodiscard]] std::optional<Place> below_zone(std::size_t zone) const;
     /// Index of a corner of a cell among the points of the drawing: inner side from outboard to inboard, then the outer side
     /// back.
     [[nodiscard]] std::size_t corner(int cell, std::size_t i) const;

@@ -24,10 +24,8 @@ constexpr std::size_t most_shown = 12;  ///< additions on the page; all are in t
 
 constexpr const char* legend =
     "Removed: how much smaller the rms error on experiments left out becomes, in total uncertainties u, which are "
-    "those "
-    "stated with the ranges of unknown inputs; each experiment is left out in turn and the number fitted to the "
-    "others. "
-    "The interval is 95 % of a bootstrap over experiments: where it includes zero it is no proof. Left K: what "
+    "those stated with the ranges of unknown inputs; each experiment is left out in turn and the number fitted to the "
+    "others. The interval is 95 % of a bootstrap over experiments: where it includes zero it is no proof. Left K: what "
     "temperatures left out keep. Fit u: what is left where it was fitted, which proves nothing. Fitted: to all "
     "experiments, with the plausible range as two standard deviations. Numbers of one id, and those that are read from "
     "the same test, are one experiment.";

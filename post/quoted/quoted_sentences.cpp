@@ -98,8 +98,8 @@ std::string fitting_text(const Analysis& analysis) {
     }
     if (names.empty()) {
         return fmt::format(
-            "Even fitted to all of them, no single addition within its plausible range agrees with these "
-            "numbers; {} comes nearest and leaves {:.1f} u.",
+            "Even fitted to all of them, no single addition within its plausible range agrees with these numbers; {} "
+            "comes nearest and leaves {:.1f} u.",
             value_text(best->addition, best->fit, 0), best->rms_fitted);
     }
     return fmt::format("Fitted to all of them, {} would agree with these numbers: {}. This is a fit, not evidence.",
@@ -113,29 +113,32 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
         fmt::format("{} {} of {} ({}) leave an rms error of {:.1f} u{}.", analysis.n_rows, which,
                     plural(analysis.experiments.size(), "experiment"), experiments(record, analysis.experiments),
                     analysis.rms, analysis.kelvin > 0.0 ? fmt::format(" ({:.1f} K)", analysis.kelvin) : "");
-    all.push_back(lead);
     switch (analysis.verdict) {
         case QuotedVerdict::consistent:
-            all.push_back("The model agrees with them within their uncertainty: nothing is to be explained.");
+            all.push_back(fmt::format(
+                "The model agrees with the {} within their uncertainty: nothing is to be explained.", which));
+            all.push_back(lead);
             return;
         case QuotedVerdict::cannot_tell:
             if (analysis.off.empty()) {
-                all.push_back("Too few values for a conclusion.");
+                all.push_back(fmt::format("The {} are too few for a conclusion.", which));
             } else {
-                all.push_back(fmt::format(
-                    "Only {} {} off by more than 2 u. An explanation that is fitted there could not be tested on "
-                    "another one: these numbers cannot name a cause, however well one fits.",
-                    off_text(record, analysis), analysis.off.size() == 1 ? "is" : "are"));
+                all.push_back(
+                    fmt::format("Only {} {} off by more than 2 u. An explanation that is fitted there could not be "
+                                "tested on another one: these numbers cannot name a cause, however well one fits.",
+                                off_text(record, analysis), analysis.off.size() == 1 ? "is" : "are"));
             }
+            all.push_back(lead);
             all.push_back(best_text(analysis));
             all.push_back(fitting_text(analysis));
             return;
         case QuotedVerdict::unknown:
-            all.push_back(fmt::format(
-                "{} are off by more than 2 u, and no addition is proven to predict experiments that it was not fitted "
-                "to better than the model as it is: the cause is none of these alone, or the numbers are too uncertain "
-                "to show it.",
-                off_text(record, analysis)));
+            all.push_back(
+                fmt::format("No cause is proven: of the {} {} are off by more than 2 u, and no addition predicts "
+                            "experiments that it was not fitted to better than the model as it is. The cause is none "
+                            "of these alone, or the numbers are too uncertain to show it.",
+                            which, off_text(record, analysis)));
+            all.push_back(lead);
             all.push_back(best_text(analysis));
             all.push_back(fitting_text(analysis));
             return;
@@ -148,10 +151,11 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
     if (analysis.verdict == QuotedVerdict::partial) {
         const Share& first = analysis.steps.front().held_out.removed;
         all.push_back(
-            fmt::format("The largest single improvement is {}; it removes {} of the error on experiments left "
-                        "out (95 %: {} to {}).",
+            fmt::format("The largest single improvement is {}; it removes {} of the error on experiments left out (95 "
+                        "%: {} to {}).",
                         value_text(analysis.steps.front().addition, analysis.fit, 0), percent(first.value),
                         percent(first.low), percent(first.high)));
+        all.push_back(lead);
         if (analysis.steps.size() > 1) {
             all.push_back(fmt::format("Together with what helps beside it ({}) it is {} (95 %: {} to {}).",
                                       additions_text(analysis), percent(removed.value), percent(removed.low),
@@ -159,10 +163,11 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
         }
         all.push_back(fmt::format("The other {} are none of these.", percent(1.0 - removed.value)));
     } else {
-        all.push_back(
-            fmt::format("{} explains them: it removes {} of the error on experiments left out (95 %: {} to "
-                        "{}), and nothing significant is left.",
-                        additions_text(analysis), percent(removed.value), percent(removed.low), percent(removed.high)));
+        all.push_back(fmt::format(
+            "{} explains the {}: it removes {} of the error on experiments left out (95 %: {} to {}), and nothing "
+            "significant is left.",
+            additions_text(analysis), which, percent(removed.value), percent(removed.low), percent(removed.high)));
+        all.push_back(lead);
     }
     if (analysis.set.size() > 1) {
         all.push_back("These numbers cannot tell apart: " + set_text(analysis) + ".");
@@ -195,9 +200,7 @@ std::vector<std::string> quoted_sentences(const QuotedRecord& record) {
         const NextMeasurement& next = *result.next;
         all.push_back(fmt::format(
             "Discriminating measurement: {} at the end of {}. {} makes it {:.1f} degC, {} {:.1f} degC: {:.1f} times "
-            "the "
-            "{:.1f} "
-            "K that a sensor can be trusted to.{}",
+            "the {:.1f} K that a sensor can be trusted to.{}",
             next.channel, next.run, next.one, next.value_of_one, next.other, next.value_of_other,
             std::abs(next.value_of_one - next.value_of_other) / next.uncertainty, next.uncertainty,
             next.input.empty() || next.input_gain < 1.0

@@ -87,14 +87,11 @@ namespace {
 constexpr std::string_view page_head =
     "# Effects\n\n"
     "The catalogue of physical effects. This page is written by `tiretherm effects --markdown` from the catalogue "
-    "itself "
-    "(`physics/effects`);\ndo not edit it. A case switches an effect on with `[effects.NAME]`; the keys that all "
-    "effects "
-    "have are in the\n[case reference](case-reference.md). Effects of the thesis are on in every case with `[tire]`; "
-    "all others "
-    "are off unless named.\nBelow the parameters of an effect stand the ranges in which a tire engineer\nexpects them, "
-    "with their "
-    "sources; a case may go beyond them.\nHow to write a new one: [extending.md](extending.md#an-effect).\n";
+    "itself (`physics/effects`);\ndo not edit it. A case switches an effect on with `[effects.NAME]`; the keys that "
+    "all effects have are in the\n[case reference](case-reference.md). Effects of the thesis are on in every case with "
+    "`[tire]`; all others are off unless named.\nBelow the parameters of an effect stand the ranges in which a tire "
+    "engineer\nexpects them, with their sources; a case may go beyond them.\nHow to write a new one: "
+    "[extending.md](extending.md#an-effect).\n";
 
 std::string markdown_of(const physics::Effect& effect) {
     std::string text =

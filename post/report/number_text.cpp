@@ -36,6 +36,13 @@ std::string with_decimals(double value, int decimals) {
                                           : fmt::format("{:.4g}", value);
 }
 
+std::string in_words(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    return name;
+}
+
+std::string difference_unit(std::string_view unit) { return std::string(unit == "degC" ? "K" : unit); }
+
 std::string slashed_unit(std::string_view unit) {
     std::vector<std::string> above;
     std::vector<std::string> below;

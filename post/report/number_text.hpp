@@ -22,4 +22,10 @@ inline constexpr double compact_from = 1e9;
 /// A unit as engineers write it: "W m-2 K-1" as W/(m2 K), "N-1" as 1/N. One without negative powers stays as it is.
 [[nodiscard]] std::string slashed_unit(std::string_view unit);
 
+/// A name of the program as words: "outside_shoulder" as "outside shoulder".
+[[nodiscard]] std::string in_words(std::string name);
+
+/// The unit of a difference of two values: K of temperatures in degC.
+[[nodiscard]] std::string difference_unit(std::string_view unit);
+
 }  // namespace tiretherm::post

@@ -190,6 +190,11 @@ void Report::add(std::string heading, std::string key, const std::vector<std::st
     add(Section(std::move(heading), sentences));
 }
 
+void Report::add_warnings(std::vector<std::string> warnings, const std::vector<std::string>& of_laws) {
+    warnings.insert(warnings.end(), of_laws.begin(), of_laws.end());
+    add("Warnings", "warnings", warnings);
+}
+
 void Report::add_verdict(std::vector<std::string> sentences) {
     add(Section(verdict_heading, sentences));
     verdict = std::move(sentences);
@@ -221,13 +226,13 @@ std::string page_text(const Report& report, bool bold, const PageWidth& width) {
         return bold ? fmt::format("\033[1m{}\033[0m\n", line) : line + "\n";
     };
     std::string text = strong(one_line(report.title));
-    for (const std::string& line : report.lead) {
-        text += one_line(line) + "\n";
-    }
     if (std::ranges::find(report.sections, verdict_heading, &Section::heading) == report.sections.end()) {
         for (const std::string& line : report.verdict) {
             text += wrap(one_line(line), 0, width.prose);
         }
+    }
+    for (const std::string& line : report.lead) {
+        text += one_line(line) + "\n";
     }
     for (const Section& section : report.sections) {
         if (!section.has_text()) {

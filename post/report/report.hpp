@@ -140,6 +140,8 @@ struct Report {
     void add(Section section) { sections.push_back(std::move(section)); }
     /// Sentences, on the page and under a key of the data.
     void add(std::string heading, std::string key, const std::vector<std::string>& sentences);
+    /// The section of warnings. @param of_laws those of laws beyond their ranges
+    void add_warnings(std::vector<std::string> warnings, const std::vector<std::string>& of_laws);
     /// The answer at the head of the page as HTML; of the page as text it is the first section.
     void add_verdict(std::vector<std::string> sentences);
     /// Files that were written: the last section, and "outputs" of the data.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/study/study_record.hpp"
 #include "mesh/place.hpp"
 #include "post/laps/heat_by_lap.hpp"
 #include "post/page/page_origin.hpp"
@@ -36,18 +37,15 @@ DataTable readings_by_corner(std::span<const RunRecord> runs) {
     return table;
 }
 
-/// "FL: hottest 95.2 degC, tread, centre, at 620 s; belt edge stays 3.0 K below its critical 120 degC."
+/// "FL, nearest of the tires to a critical temperature: belt edge 117.0 +- 4.1 degC: below its critical 120 degC with a
+/// probability of 77 %; hottest 117.0 degC, tread, centre, at 620 s."
 std::string hottest_of(const RunRecord& run, bool is_first) {
     const solver::Report::Extreme& hottest = run.report.hottest;
     const std::optional<NearestSpot> spot = nearest_spot(run);
-    std::string text = fmt::format("{}: hottest{} {:.1f} degC, {}, at {:.6g} s", run.corner,
-                                   is_first && !spot ? " of the tires," : "", solver::celsius(hottest.temperature),
-                                   mesh::describe_place(run.problem.mesh, hottest.node), hottest.time);
-    if (spot) {
-        text +=
-            fmt::format("; {}{}", is_first ? "of the tires nearest to a critical temperature: " : "", spot->verdict);
-    }
-    return text + ".";
+    const char* first = spot ? ", nearest of the tires to a critical temperature" : ", hottest of the tires";
+    return fmt::format("{}{}: {}{:.1f} degC, {}, at {:.6g} s.", run.corner, is_first ? first : "",
+                       spot ? spot->verdict + "; hottest " : "", solver::celsius(hottest.temperature),
+                       mesh::describe_place(run.problem.mesh, hottest.node), hottest.time);
 }
 
 /// What the tires come to, the one first that is nearest to a critical temperature, or where there is none the hottest.
@@ -76,14 +74,14 @@ std::string case_title(const solver::Problem& problem) {
 
 }  // namespace
 
-Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what_if,
-                  const std::vector<std::string>& warnings, const std::vector<std::filesystem::path>& files) {
+Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what_if, std::vector<std::string> warnings,
+                  const std::vector<std::filesystem::path>& files) {
     const RunRecord& first = runs.front();
     Report page{.title = case_title(first.problem)};
     Value::List corners;
     std::vector<LapRow> laps;
     std::vector<diagnosis::RunHeat> heat;
-    std::vector<std::string> all_warnings = warnings;
+    std::vector<std::vector<solver::RangeWarning>> left;
     solver::Extrapolations extrapolations;
     double seconds = 0.0;
     for (const RunRecord& run : runs) {
@@ -92,9 +90,7 @@ Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what
         Value data{{"corner", run.corner}};
         data.set(run_report(run).data);
         corners.push_back(std::move(data));
-        for (const solver::RangeWarning& warning : run.report.warnings) {
-            all_warnings.push_back(fmt::format("{}: {}", run.corner, warning.text()));
-        }
+        left.push_back(run.report.warnings);
         if (run.history.rows() == 0) {
             continue;
         }
@@ -103,7 +99,6 @@ Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what
     }
     page.verdict = verdict_of(runs);
     std::ranges::move(extrapolations.headline(), std::back_inserter(page.verdict));
-    std::ranges::move(extrapolations.warnings(), std::back_inserter(all_warnings));
     page.lead.push_back(
         fmt::format("{} tires, simulated in {:.3g} s. Each has its folder with a page of its own: field, heat against "
                     "time, hot spots.",
@@ -127,7 +122,8 @@ Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what
         page.data.set("what_if", what_if_data(*what_if, first.problem.channels));
     }
     page.appendix.push_back(citations_section(first.problem));
-    page.add("Warnings", "warnings", all_warnings);
+    std::ranges::move(diagnosis::left_ranges(left), std::back_inserter(warnings));
+    page.add_warnings(std::move(warnings), extrapolations.warnings());
     page.add("Cite", "sources", first.problem.sources);
     page.add(files);
     return page;

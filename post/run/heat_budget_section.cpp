@@ -40,13 +40,12 @@ std::string shares_of_sliding(const RunRecord& run) {
     const physics::ActiveEffect& active = effects[sliding];
     const auto number = static_cast<std::size_t>(physics::find_parameter(*active.effect, "partition"));
     const bool charm = active.choices[static_cast<std::size_t>(physics::find_choice(*active.effect, "partition"))] == 1;
-    std::string text =
-        charm ? "sliding_friction is the tread's share of the friction power, by the effusivities of tread and "
-                "road; the road's own share is not in this table"
-              : fmt::format(
-                    "sliding_friction is {:g} of the friction power; the other {:g} enters the road "
-                    "and is not in this table",
-                    active[number], 1.0 - active[number]);
+    std::string text = charm ? "sliding_friction is the tread's share of the friction power, by the effusivities of "
+                               "tread and road; the road's own share is not in this table"
+                             : fmt::format(
+                                   "sliding_friction is {:g} of the friction power; the other {:g} enters the road and "
+                                   "is not in this table",
+                                   active[number], 1.0 - active[number]);
     for (const std::string_view road : {"resolved_contact", "travelling_contact", "road_contact"}) {
         if (index_of(road) == effects.size()) {
             continue;

@@ -15,13 +15,6 @@ namespace tiretherm::post {
 
 namespace {
 
-std::vector<double> scaled(std::vector<double> values, double factor) {
-    for (double& value : values) {
-        value *= factor;
-    }
-    return values;
-}
-
 /// Channels of one unit, in the order of their first.
 struct Group {
     solver::ShownUnit unit;
@@ -65,14 +58,11 @@ void add_measured(LineChart& chart, const RunRecord& run, std::size_t channel, c
 /// Of each hot spot its course, its critical temperature, and the moment at which it passes that.
 void add_hot_spots(LineChart& chart, const diagnosis::HotSpots& hot_spots, const TimeUnit& time) {
     for (const diagnosis::HotSpot& spot : hot_spots.spots) {
-        std::vector<double> hottest = spot.history.temperature();
-        for (double& value : hottest) {
-            value = solver::celsius(value);
-        }
         const solver::Critical& critical = spot.history.critical();
         const double level = solver::celsius(critical.temperature);
         chart.add_curve("hottest, " + critical.name, critical.name, CurveRole::dashed,
-                        scaled(spot.history.time(), 1.0 / time.seconds), hottest);
+                        scaled(spot.history.time(), 1.0 / time.seconds),
+                        converted(spot.history.temperature(), solver::celsius));
         chart.add_level(fmt::format("{}: critical {:.5g} °C", critical.name, level), level);
         if (spot.passing) {
             std::string text = fmt::format("{} passes {:.5g} °C: {:.4g} {}", critical.name, level,
@@ -86,11 +76,7 @@ void add_hot_spots(LineChart& chart, const diagnosis::HotSpots& hot_spots, const
     }
 }
 
-/// Fewer points of each, where there are many curves: a page stays small.
-std::size_t points_of_each(std::size_t curves) {
-    constexpr std::size_t of_a_chart = 60'000;
-    return std::clamp<std::size_t>(of_a_chart / std::max<std::size_t>(curves, 1), 300, 2400);
-}
+constexpr std::size_t points_of_a_chart = 60'000;
 
 std::string caption_of(const RunRecord& run, const std::vector<solver::ScheduleStep>& steps) {
     std::string text = "Lines are simulated";
@@ -102,7 +88,7 @@ std::string caption_of(const RunRecord& run, const std::vector<solver::ScheduleS
                                          : " The bands are the steps of the schedule.";
     }
     if (run.hot_spots != nullptr) {
-        text += " A pin marks where a hot spot passes its critical temperature.";
+        text += " A circle marks where a hot spot passes its critical temperature.";
     }
     return text;
 }
@@ -119,7 +105,7 @@ void add_channel_charts(Section& section, std::span<const RunRecord> runs) {
     const double end = run.history.time().back();
     const TimeUnit time = time_unit(end - start);
     LineChart chart("time", time.name, start / time.seconds, end / time.seconds);
-    chart.limit_points(points_of_each(runs.size() * run.problem.channels.size()));
+    chart.share_points(points_of_a_chart, runs.size() * run.problem.channels.size());
     for (const Group& group : groups_of(run.problem)) {
         const bool is_temperature = axis_unit(group.unit.name) == "°C";
         chart.add_panel(is_temperature ? "temperature" : run.problem.channels[group.channels.front()].name,
@@ -127,13 +113,10 @@ void add_channel_charts(Section& section, std::span<const RunRecord> runs) {
         for (const RunRecord& one : runs) {
             const std::vector<double> t = scaled(one.history.time(), 1.0 / time.seconds);
             for (const std::size_t c : group.channels) {
-                std::vector<double> values = one.history.channel(c);
-                for (double& value : values) {
-                    value = group.unit.value(value);
-                }
+                const auto value = [&](double si) { return group.unit.value(si); };
                 const std::string& channel = one.problem.channels[c].name;
                 const std::string name = is_single ? channel : channel + " " + one.corner;
-                chart.add_curve(name, name, CurveRole::line, t, values);
+                chart.add_curve(name, name, CurveRole::line, t, converted(one.history.channel(c), value));
                 add_measured(chart, one, c, name, group.unit, time);
             }
         }
@@ -162,7 +145,7 @@ void add_heat_course(Section& section, const RunRecord& run) {
     const TimeUnit time = time_unit(run.history.time().back() - run.history.time().front());
     const std::vector<double> t = scaled(run.history.time(), 1.0 / time.seconds);
     LineChart chart("time", time.name, t.front(), t.back());
-    chart.limit_points(points_of_each(run.problem.effects.size()));
+    chart.share_points(points_of_a_chart, run.problem.effects.size());
     chart.add_panel("heat into it", "W");
     std::vector<double> sum(t.size(), 0.0);
     bool any = false;

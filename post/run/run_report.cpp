@@ -129,11 +129,10 @@ void add_results(Report& page, const RunRecord& run) {
     add_channel_charts(section, std::span(&run, 1));
     if (is_meaningless(run.report)) {
         Section nothing("Results");
-        nothing.say(
-            fmt::format("No valid results: temperatures reached {:.3g} degC, beyond the range of all laws of a tire. "
-                        "What the rows have up to there is in channels.csv and results.h5. "
-                        "Look for a power, a film or a time in the wrong unit",
-                        solver::celsius(run.report.hottest.temperature)));
+        nothing.say(fmt::format(
+            "No valid results: temperatures reached {:.3g} degC, beyond the range of all laws of a tire. What the rows "
+            "have up to there is in channels.csv and results.h5. Look for a power, a film or a time in the wrong unit",
+            solver::celsius(run.report.hottest.temperature)));
         page.sections.push_back(std::move(nothing));
     } else {
         page.add(std::move(section));
@@ -174,10 +173,10 @@ std::string measured_sentence(const RunRecord& run) {
     for (const Comparison& c : compare(run.problem, run.history)) {
         const solver::Channel& channel = run.problem.channels[c.channel];
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        const char* name = channel.quantity == solver::Quantity::temperature ? "K" : unit.name;
         parts.push_back(c.difference == 0.0 && c.low < c.high
                             ? channel.name + " within the range"
-                            : fmt::format("{} {:+.3g} {}", channel.name, unit.difference(c.difference), name));
+                            : fmt::format("{} {:+.3g} {}", channel.name, unit.difference(c.difference),
+                                          difference_unit(unit.name)));
     }
     const std::size_t left_out = parts.size() - std::min(parts.size(), most);
     parts.resize(parts.size() - left_out);
@@ -185,8 +184,6 @@ std::string measured_sentence(const RunRecord& run) {
                          : fmt::format("Simulated - measured: {}{}.", fmt::join(parts, ", "),
                                        left_out > 0 ? fmt::format(", {} more below", left_out) : "");
 }
-
-double peak_of(const diagnosis::HotSpot& spot) { return spot.history.temperature()[spot.history.hottest_row()]; }
 
 /// Whether a hot spot passes its critical temperature, and how sure that is.
 std::string spot_verdict(const diagnosis::HotSpot& spot) {
@@ -199,17 +196,19 @@ std::string spot_verdict(const diagnosis::HotSpot& spot) {
                            critical.name, solver::celsius(spot.spread->mean), spot.spread->standard_deviation,
                            above > 0.5 ? "above" : "below", level, 100.0 * std::max(above, 1.0 - above));
         text += spot.passing ? "; it passes " + moment_text(*spot.passing) : "";
-    } else if (spot.passing) {
-        text = fmt::format("{} passes its critical {:.5g} degC {}", critical.name, level, moment_text(*spot.passing));
     } else {
-        text = fmt::format("{} stays {:.1f} K below its critical {:.5g} degC", critical.name,
-                           critical.temperature - peak_of(spot), level);
+        const double peak = spot.hottest.temperature;
+        text = fmt::format("{} comes to {:.1f} degC ", critical.name, solver::celsius(peak));
+        text += spot.passing ? fmt::format("and passes its critical {:.5g} degC {}", level, moment_text(*spot.passing))
+                             : fmt::format("and stays {:.1f} K below its critical {:.5g} degC",
+                                           critical.temperature - peak, level);
+        text += "; no uncertainty was computed (see [[uncertain]])";
     }
     return text;
 }
 
-/// The hottest place of the run, of each hot spot whether and when it passes its critical temperature, and what was measured.
-std::vector<std::string> verdict_of(const RunRecord& run) {
+/// Of each hot spot whether and when it passes its critical temperature, the hottest place of the run, and what was measured.
+std::vector<std::string> verdict_of(const RunRecord& run, const solver::Extrapolations& extrapolations) {
     std::vector<std::string> verdict;
     const solver::Report::Extreme& hottest = run.report.hottest;
     if (hottest.node < 0 || is_meaningless(run.report)) {
@@ -217,19 +216,17 @@ std::vector<std::string> verdict_of(const RunRecord& run) {
     }
     const TimeUnit unit = time_unit(run.report.simulated);
     const mesh::Place place = mesh::place_of(run.problem.mesh, hottest.node);
-    std::string where = place.layer + (place.zone.empty() ? "" : ", " + place.zone);
-    std::ranges::replace(where, '_', ' ');
+    const std::string where = in_words(place.layer + (place.zone.empty() ? "" : ", " + place.zone));
+    for (const diagnosis::HotSpot& spot :
+         run.hot_spots != nullptr ? run.hot_spots->spots : std::vector<diagnosis::HotSpot>{}) {
+        verdict.push_back(spot_verdict(spot) + ".");
+    }
+    if (run.hot_spots != nullptr) {
+        std::ranges::move(extrapolations.headline(), std::back_inserter(verdict));
+    }
     verdict.push_back(fmt::format(
         "Hottest: {:.1f} degC in {}{}.", solver::celsius(hottest.temperature), where,
         run.problem.settings.steady ? "" : fmt::format(", after {:.4g} {}", hottest.time / unit.seconds, unit.name)));
-    solver::Extrapolations extrapolations;
-    extrapolations.add(run.problem);
-    const std::string phrase = extrapolations.phrase();
-    const std::string beyond = phrase.empty() ? "" : fmt::format(" ({})", phrase);
-    for (const diagnosis::HotSpot& spot :
-         run.hot_spots != nullptr ? run.hot_spots->spots : std::vector<diagnosis::HotSpot>{}) {
-        verdict.push_back(spot_verdict(spot) + beyond + ".");
-    }
     if (std::string measured = measured_sentence(run); !measured.empty()) {
         verdict.push_back(std::move(measured));
     }
@@ -242,7 +239,7 @@ std::optional<NearestSpot> nearest_spot(const RunRecord& run) {
     std::optional<NearestSpot> nearest;
     for (const diagnosis::HotSpot& spot :
          run.hot_spots != nullptr ? run.hot_spots->spots : std::vector<diagnosis::HotSpot>{}) {
-        const double peak = spot.spread ? spot.spread->mean : peak_of(spot);
+        const double peak = spot.spread ? spot.spread->mean : spot.hottest.temperature;
         const double below = spot.history.critical().temperature - peak;
         if (!nearest || below < nearest->below) {
             nearest = {.below = below, .verdict = spot_verdict(spot)};
@@ -261,9 +258,6 @@ Report run_report(const RunRecord& run) {
         std::erase(others, run.run);
         page.lead.push_back(fmt::format("run {}, one of {}; the others are {} (--run NAME)", run.run, run.runs.size(),
                                         input::listed(others)));
-    }
-    if (!report.status.ok()) {
-        page.lead.push_back("ended early: " + report.status.message);
     }
     page.data = {{"case", name},
                  {"title", title},
@@ -289,15 +283,17 @@ Report run_report(const RunRecord& run) {
         page.add(what_if_section(*run.what_if, run.problem.channels));
         page.data.set("what_if", what_if_data(*run.what_if, run.problem.channels));
     }
-    page.verdict = verdict_of(run);
+    solver::Extrapolations extrapolations;
+    extrapolations.add(run.problem);
+    page.verdict = verdict_of(run, extrapolations);
+    if (!report.status.ok()) {
+        page.verdict.insert(page.verdict.begin(), "ended early: " + report.status.message);
+    }
     page.appendix.push_back(citations_section(run.problem));
     page.add(cost_section(run));
     std::vector<std::string> warnings = run.warnings;
     std::ranges::transform(report.warnings, std::back_inserter(warnings), &solver::RangeWarning::text);
-    solver::Extrapolations extrapolations;
-    extrapolations.add(run.problem);
-    std::ranges::move(extrapolations.warnings(), std::back_inserter(warnings));
-    page.add("Warnings", "warnings", warnings);
+    page.add_warnings(std::move(warnings), extrapolations.warnings());
     page.add("Cite", "sources", run.problem.sources);
     page.add(run.files);
     if (!report.status.ok()) {

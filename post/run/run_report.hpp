@@ -46,8 +46,7 @@ struct RunRecord {
 /// of each tire's own page. @param runs of one recording, a run for each corner  @param warnings of the reader
 /// @param what_if null where nothing was changed
 [[nodiscard]] Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what_if,
-                                const std::vector<std::string>& warnings,
-                                const std::vector<std::filesystem::path>& files);
+                                std::vector<std::string> warnings, const std::vector<std::filesystem::path>& files);
 /// channels.csv with a column for each sensor of each tire, laps.csv and heat.csv. Runs whose rows stand at other times are
 /// straight lines between their rows. @errors FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_car_tables(const std::filesystem::path& directory,

@@ -61,8 +61,7 @@ Section what_if_section(const WhatIf& what_if, const std::vector<solver::Channel
         section.add(table_of(what_if, channels));
         section.say(
             "Differences to the run as it stands: of the hottest place, of each sensor's maximum and of its last "
-            "value. "
-            "An input is moved in all of its course; the temperatures at the start stay.");
+            "value. An input is moved in all of its course; the temperatures at the start stay.");
         if (channels.size() > most_channels) {
             section.say(fmt::format("{} more sensors are in the JSON.", channels.size() - most_channels));
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first sentences of a study's page: probability and quantiles of samples, lowest and highest point of a grid.
+// The first sentences of a study's page: probability and quantiles of samples, hottest and coldest point of a grid.
 #include <algorithm>
 #include <utility>
 
@@ -52,15 +52,15 @@ std::string of_grid(const StudyRecord& study, std::size_t coldest, std::size_t h
     const auto at = [&](std::size_t point) {
         return fmt::format("{:.1f} degC at {}", hottest_at(study, point).front(), place_of(study, point));
     };
-    std::string text = fmt::format("Hottest temperature: {}, to {}", at(coldest), at(hottest));
+    std::string text;
     if (study.critical) {
         const auto passing = std::ranges::count_if(
             study.outcomes, [&](const StudyOutcome& run) { return run.ok() && run.hottest > *study.critical; });
-        text +=
-            fmt::format("; {} of {} pass {:.6g} degC", passing,
+        text =
+            fmt::format("{} of {} pass {:.6g} degC. ", passing,
                         plural(study.outcomes.size() - study.failed().size(), "run"), solver::celsius(*study.critical));
     }
-    return text + ".";
+    return fmt::format("{}Hottest: {}; coldest: {}.", text, at(hottest), at(coldest));
 }
 
 }  // namespace
@@ -84,13 +84,16 @@ std::vector<std::string> study_headline(const StudyRecord& study) {
         sentences.push_back(of_samples(study, coldest) + ".");
         sentences.back().front() = sentences.back().front() == 'h' ? 'H' : sentences.back().front();
     } else {
-        for (const std::size_t point : {coldest, hottest}) {
+        for (const std::size_t point : {hottest, coldest}) {
             sentences.push_back(fmt::format("{}: {}.", place_of(study, point), of_samples(study, point)));
         }
     }
-    for (std::size_t part = 0; part < study.parts.size(); ++part) {
+    // Without a temperature of the study's own those of its parts are what it was asked for.
+    std::size_t place = study.critical ? sentences.size() : 0;
+    for (std::size_t part = 0; part < study.parts.size(); ++part, ++place) {
         const Chance passes = part_passes(study, part);
-        sentences.push_back(
+        sentences.insert(
+            sentences.begin() + static_cast<std::ptrdiff_t>(place),
             study.is_sampled && study.points() == 1
                 ? fmt::format("{} in {} % of {} ({} to {} %).", part_text(study, part), percent(passes.share),
                               plural(passes.of, "sample"), percent(passes.low), percent(passes.high))

@@ -100,17 +100,6 @@ Section extremes_section(const StudyRecord& study, Value& data) {
     data.set({{"hottest", run_data(study, *hottest)}, {"coldest", run_data(study, *coldest)}});
     section.say(extreme_text(study, "hottest", *hottest));
     section.say(extreme_text(study, "coldest", *coldest));
-    if (study.critical && !study.is_sampled) {
-        const auto passing =
-            std::ranges::count_if(done, [&](std::size_t run) { return temperature(run) > *study.critical; });
-        section.line(
-            fmt::format("{} of {} runs pass {:.6g} degC", passing, done.size(), solver::celsius(*study.critical)));
-    }
-    for (std::size_t part = 0; part < study.parts.size(); ++part) {
-        const Chance all = part_passes(study, part);
-        section.line(fmt::format("{} in {} of {} {}", part_text(study, part), all.times, all.of,
-                                 study.is_sampled ? "samples" : "runs"));
-    }
     return section;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "post/page/charts.hpp"
+#include "post/report/number_text.hpp"
 
 namespace tiretherm::post {
 
@@ -34,9 +35,6 @@ double place_of(std::size_t number, std::size_t model, std::size_t models) {
     return static_cast<double>(number) +
            apart * (static_cast<double>(model + 1) - 0.5 * static_cast<double>(models - 1));
 }
-
-/// A temperature's difference is in K.
-std::string difference_unit(const std::string& unit) { return unit == "degC" ? "K" : unit == "1" ? "" : unit; }
 
 std::string quantity_of(const std::string& unit) {
     return unit == "degC" ? "temperature"
@@ -146,16 +144,15 @@ Section validation_charts(const ValidationRecord& record) {
         chart.add_panel(quantity_of(unit), shown);
         add_values(chart, record, rows);
         if (any_difference) {
-            chart.add_panel("simulated - measured", difference_unit(unit), true);
+            chart.add_panel("simulated - measured", unit == "1" ? "" : difference_unit(unit), true);
             add_differences(chart, record, rows);
         }
-        section.chart(
-            fmt::format("Measured and simulated: {}{}", quantity_of(unit),
-                        shown.empty() ? "" : fmt::format(" ({})", shown)),
-            "A bar with circles is a measured number with its standard uncertainty u, a point a simulated one. "
-            "Below: a difference within its bar is within 2 u, with what is not printed counted in u. To the "
-            "nearest end of a measured range; 0 inside it.",
-            chart.data());
+        section.chart(fmt::format("Measured and simulated: {}{}", quantity_of(unit),
+                                  shown.empty() ? "" : fmt::format(" ({})", shown)),
+                      "A bar with circles is a measured number with its standard uncertainty u, a point a simulated "
+                      "one. Below: a difference within its bar is within 2 u, with what is not printed counted in u. "
+                      "To the nearest end of a measured range; 0 inside it.",
+                      chart.data());
     }
     return section;
 }

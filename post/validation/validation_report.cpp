@@ -20,13 +20,10 @@ namespace {
 constexpr const char* data_name = "validation.json";
 constexpr const char* legend =
     "Off: model less measured, to the nearest end of a range. In brackets: from where to where the inputs that the "
-    "source "
-    "does not print move the number. u: standard uncertainty of the measured number and of these inputs. Not "
-    "decidable: "
-    "the verdict depends on such an input, or one was inferred from this very number; these numbers count nowhere "
-    "below. "
-    "Bias: mean of off over the temperatures that can be decided for all models; scatter: standard deviation about it, "
-    "beyond what u explains.";
+    "source does not print move the number. u: standard uncertainty of the measured number and of these inputs. Not "
+    "decidable: the verdict depends on such an input, or one was inferred from this very number; these numbers count "
+    "nowhere below. Bias: mean of off over the temperatures that can be decided for all models; scatter: standard "
+    "deviation about it, beyond what u explains.";
 
 int decimals(const std::string& unit) {
     if (unit == "1") {

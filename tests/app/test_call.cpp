@@ -114,6 +114,9 @@ TEST(Check, SoundCaseIsToldInAFewLines) {
     EXPECT_EQ(check.exit_code, 0);
     EXPECT_EQ(check.err, "");
     EXPECT_TRUE(check.out.starts_with("two_node/4000N_100kmh: no errors\n")) << check.out;
+    EXPECT_NE(check.out.find("nothing was simulated: the errors of grid and time steps are not known"),
+              std::string::npos)
+        << check.out;
     EXPECT_NE(check.out.find("channels  surface_temperature, bulk_temperature\n"), std::string::npos) << check.out;
     const Json json = Json::parse(call("check --json " + two_node).out);
     EXPECT_EQ(json["mistakes"], Json::array());

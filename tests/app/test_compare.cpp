@@ -37,7 +37,9 @@ TEST(Compare, EndsWithAPageAndTwoFiles) {
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");
     EXPECT_EQ(run.out.find('\033'), std::string::npos);
-    EXPECT_TRUE(run.out.starts_with("idle: 2 runs, simulated in ")) << run.out;
+    EXPECT_TRUE(run.out.starts_with("idle, simulated against measured\n")) << run.out;
+    // The answer first, then how it was made.
+    EXPECT_LT(run.out.find(" K, at "), run.out.find("\n2 runs, simulated in ")) << run.out;
     for (const char* name : {"compare.csv", "compare_statistics.csv"}) {
         EXPECT_GT(std::filesystem::file_size(bench.written.folder() / "out" / name), 100u);
         EXPECT_NE(run.out.find(name), std::string::npos);

@@ -122,6 +122,24 @@ TEST(HotSpots, MarginAndFurtherStepsAreToldWhenNothingPasses) {
     EXPECT_FALSE(std::filesystem::exists(scratch / "out/hot_spots.csv"));
 }
 
+// The hottest place of the tire lies in its whole, so both names of it have one moment, between rows as well. The page begins
+// with the critical temperatures and how sure they are.
+TEST(HotSpots, ThePageBeginsWithThemAndTheHottestPlaceHasOneMoment) {
+    const sample::Scratch scratch;
+    const std::string arguments = "run cases/durability/un_r30_load_speed.toml --no-vtk --no-pictures --out ";
+    const Call done = call(arguments + (scratch / "out").string() + " --json", TIRETHERM_SOURCE_DIR);
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const Json json = Json::parse(done.out);
+    const Json& whole = json["hot_spots"]["spots"][1];
+    EXPECT_EQ(whole["hottest"], json["hottest"]["temperature"]);
+    EXPECT_EQ(whole["hottest_moment"]["time"], json["hottest"]["time"]);
+    const std::string page = flowing(post::read_text(scratch / "out/page.txt"));
+    EXPECT_LT(page.find("belt edge comes to 110.2 degC and passes its critical 110 degC after 44.9 min"),
+              page.find("Hottest: 112.8 degC"))
+        << page.substr(0, 600);
+    EXPECT_NE(page.find("no uncertainty was computed (see [[uncertain]])"), std::string::npos);
+}
+
 // 2 * 20 + 20 = 60 degC in the steady state of 20 m/s, which has no time and is not passed at one.
 TEST(HotSpots, SteadyStateHasAMarginButNoTime) {
     const sample::Scratch scratch;

@@ -49,6 +49,11 @@ TEST(ReportPair, NamesTheKeysThatDifferAndWhatFollows) {
     EXPECT_TRUE(std::filesystem::exists(pair.written.folder() / "out/slow_against_fast/report.html"));
     const Call text = pair.in_folder("report slow fast --out both");
     EXPECT_NE(text.out.find("Inputs that differ"), std::string::npos) << text.out;
+    const std::string answer =
+        fmt::format("\nhottest place, degC: {:.2f} in A, {:.2f} in B, B - A {:+.2f} K.\n",
+                    json["hottest"][0]["hottest_a"].get<double>(), json["hottest"][0]["hottest_b"].get<double>(),
+                    json["hottest"][0]["hottest_difference"].get<double>());
+    EXPECT_EQ(text.out.find(answer), text.out.find('\n')) << text.out;  // right below the title
     EXPECT_EQ(text.out, post::read_text(pair.written.folder() / "both/page.txt"));
 }
 

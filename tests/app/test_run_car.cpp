@@ -54,7 +54,7 @@ TEST(RunOfACar, HasAllTiresOnOnePageAndAFolderForEach) {
     const Call run = car.run("");
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.out.find("2 tires"), std::string::npos) << run.out;
-    EXPECT_NE(run.out.find("FR: hottest"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("hottest of the tires: "), std::string::npos) << run.out;
     EXPECT_TRUE(post::read_text(car.out("channels.csv"))
                     .starts_with("time [s],surface_temperature FL [degC],bulk_temperature FL [degC],"
                                  "surface_temperature FR [degC],bulk_temperature FR [degC]\n"));
@@ -74,7 +74,7 @@ TEST(RunOfACar, TheHottestTireComesFirst) {
     const auto hottest = [&](std::size_t i) { return json["corners"][i]["hottest"]["temperature"].get<double>(); };
     const std::string first = hottest(0) > hottest(1) ? "FL" : "FR";
     const std::string second = hottest(0) > hottest(1) ? "FR" : "FL";
-    EXPECT_LT(run.out.find(first + ": hottest of the tires, "), run.out.find(second + ": hottest ")) << run.out;
+    EXPECT_LT(run.out.find("\n" + first + ", hottest of the tires: "), run.out.find("\n" + second + ": ")) << run.out;
 }
 
 TEST(RunOfACar, FrictionPowerAndHeatStandByCornerAndLap) {

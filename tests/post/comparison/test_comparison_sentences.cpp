@@ -31,7 +31,7 @@ TEST(ComparisonSentences, AnErrorFarBeyondTheSensorIsNotCalledInsignificant) {
     EXPECT_EQ(sentences(channel).front(),
               "bias -23.10 +- 21.20 K: an effective sample size of 4 is too small to tell it from zero, but the rms of "
               "43.00 K is 29 times the sensor's noise");
-    EXPECT_EQ(headline(channel),
+    EXPECT_EQ(headline(channel, {"a"}),
               "belt: mean difference -23.10 +- 21.20 K, not significant; rms 43.00 K, 29 times the sensor's standard "
               "deviation of 1.50 K.");
 }
@@ -42,11 +42,22 @@ TEST(ComparisonSentences, ABiasWithinChanceAndNoiseIsNotSignificant) {
               "no significant bias: +0.30 +- 0.20 K (effective sample size 4)");
 }
 
-TEST(ComparisonSentences, TheHeadlineHasTheBiasWithItsDoubtAndTheError) {
+// The largest difference is 300 - 302.5 = -2.5 K, the second sample of the second run.
+TEST(ComparisonSentences, TheHeadlineHasTheBiasWithItsDoubtTheErrorAndTheLargestDifference) {
+    diagnosis::ComparedChannel channel = compared(-1.0, 0.2, 1.2, 0.8);
     EXPECT_EQ(
-        headline(compared(-1.0, 0.2, 1.2, 0.8)),
-        "belt: 1.00 +- 0.20 K too cold in the mean; rms 1.20 K, 1.5 times the sensor's standard deviation of 0.80 "
-        "K.");
+        headline(channel, {"dry", "wet"}),
+        "belt: simulated 1.00 +- 0.20 K too cold in the mean of 2 runs; rms 1.20 K, 1.5 times the sensor's standard "
+        "deviation of 0.80 K.");
+    channel.series.resize(2);
+    for (std::size_t run = 0; run < 2; ++run) {
+        channel.series[run].run = run;
+        channel.series[run].time = {0.0, 31.0};
+        channel.series[run].measured = {300.0, run == 1 ? 302.5 : 300.0};
+        channel.series[run].simulated = {301.0, 300.0};
+    }
+    const std::string said = headline(channel, {"dry", "wet"});
+    EXPECT_TRUE(said.ends_with("of 0.80 K; at most -2.50 K, at 31 s of wet.")) << said;
 }
 
 }  // namespace tiretherm::post

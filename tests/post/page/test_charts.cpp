@@ -80,11 +80,11 @@ TEST(Charts, ALimitOfPointsKeepsThePeak) {
     }
     y[7777] = 80.0;
     LineChart chart("time", "s", 0.0, 1e4);
-    chart.limit_points(100);
+    chart.share_points(1000, 5);
     chart.add_panel("temperature", "°C");
     chart.add_curve("a", "", CurveRole::line, x, y);
     const Json points = points_of(chart);
-    EXPECT_LE(points.size(), 101u);  // two of each of 50 pieces, and the last
+    EXPECT_LE(points.size(), 201u);  // two of each of 100 pieces, and the last
     EXPECT_NE(std::ranges::find(points, Json::parse("[7777.0,80.0]")), points.end());
 }
 
