@@ -23,7 +23,7 @@ constexpr std::string_view data =
     "unit_names = { C = \"degC\" }\n";
 
 /// The bench with two files of the logger, and these tables.
-ExperimentReading read(const Written& written, const std::string& tables, std::string_view second = logger) {
+ExperimentReading read_car(const Written& written, const std::string& tables, std::string_view second = logger) {
     written.add("a.csv", logger);
     written.add("b.csv", second);
     return read_experiment(written.add("case.toml", std::string(bench) + tables));
@@ -44,7 +44,7 @@ double speed_at(const MeasuredRun& run, double time) {
 // 25.5 degC are 298.65 K; 54 km/h are 15 m/s. Said once, it counts for both runs, and for a file beside the case.
 TEST(SharedColumns, OfDataCountForAllRuns) {
     const Written written;
-    const ExperimentReading reading = read(written, std::string(data) + two_runs);
+    const ExperimentReading reading = read_car(written, std::string(data) + two_runs);
     ASSERT_TRUE(reading.experiment) << said(reading, written);
     EXPECT_EQ(said(reading, written), "");
     ASSERT_EQ(reading.experiment->runs.size(), 2U);
@@ -66,12 +66,12 @@ TEST(SharedColumns, WhatARunSaysWins) {
     const std::string wide =
         "t [s],V [km/h],wheel,Fz [N],Tair [C],Ttrack [C],IR spot [C],probe [C]\n"
         "0,1,36,4000,25,30,25.0,25.5\n2,1,54,4100,25,30,25.5,25.8\n5,1,72,4200,25,31,26.0,26.1\n";
-    const ExperimentReading both =
-        read(written,
-             shared +
-                 "[[run]]\nfile = \"a.csv\"\n[[run]]\nfile = \"b.csv\"\ncolumns = { wheel = \"speed\" }\nignore = []\n"
-                 "hold = []\nunits = { wheel = \"km/h\" }\n",
-             wide);
+    const ExperimentReading both = read_car(
+        written,
+        shared +
+            "[[run]]\nfile = \"a.csv\"\n[[run]]\nfile = \"b.csv\"\ncolumns = { wheel = \"speed\" }\nignore = []\n"
+            "hold = []\nunits = { wheel = \"km/h\" }\n",
+        wide);
     ASSERT_TRUE(both.experiment) << said(both, written);
     const MeasuredRun& first = both.experiment->runs[0];
     const MeasuredRun& second = both.experiment->runs[1];
@@ -85,7 +85,7 @@ TEST(SharedColumns, WhatARunSaysWins) {
 TEST(SharedColumns, ThatNoFileHasAreAWarning) {
     const Written written;
     const std::string more = replaced(std::string(data), "t = \"time\"", "t = \"time\", prob = \"bulk_temperature\"");
-    const ExperimentReading reading = read(written, more + two_runs);
+    const ExperimentReading reading = read_car(written, more + two_runs);
     EXPECT_TRUE(reading.experiment);
     EXPECT_NE(said(reading, written).find("no file of a [[run]] has the column \"prob\": did you mean `probe`?"),
               std::string::npos)
@@ -97,7 +97,7 @@ TEST(SharedColumns, TheMessageOfAnUnknownUnitNamesTheOneLineForAll) {
     const Written written;
     const std::string without = replaced(std::string(data), "unit_names = { C = \"degC\" }\n", "");
     const std::string own_unit = replaced(std::string(logger), "[C]", "[Grd]");
-    static_cast<void>(read(written, ""));
+    static_cast<void>(read_car(written, ""));
     written.add("c.csv", own_unit);
     const auto read_own = [&](const std::string& tables) {
         return read_experiment(written.add("case.toml", std::string(bench) + without + tables));
@@ -116,7 +116,7 @@ TEST(SharedColumns, TheMessageOfAnUnknownUnitNamesTheOneLineForAll) {
 TEST(SharedColumns, AColumnOfATemperatureInCIsInDegreesCelsius) {
     const Written written;
     const std::string without = replaced(std::string(data), "unit_names = { C = \"degC\" }\n", "");
-    const ExperimentReading reading = read(written, without + "[[run]]\nfile = \"a.csv\"\n");
+    const ExperimentReading reading = read_car(written, without + "[[run]]\nfile = \"a.csv\"\n");
     ASSERT_TRUE(reading.experiment) << said(reading, written);
     EXPECT_NEAR(find_series(reading.experiment->runs.front(), "bulk_temperature")->value[0], 298.65, 1e-9);
 }
@@ -125,7 +125,7 @@ TEST(SharedColumns, AColumnOfATemperatureInCIsInDegreesCelsius) {
 TEST(UnmappedColumns, TheRemedyMapsATemperatureAndNeverTheClock) {
     const Written written;
     const std::string found =
-        said(read(written, "[[run]]\nfile = \"a.csv\"\ncolumns = { V = \"speed\" }\n", logger), written);
+        said(read_car(written, "[[run]]\nfile = \"a.csv\"\ncolumns = { V = \"speed\" }\n", logger), written);
     EXPECT_NE(found.find("remedy: map one: columns = { Tair = \"surface_temperature\" }; the sensors are"),
               std::string::npos)
         << found;

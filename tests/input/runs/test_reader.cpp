@@ -23,7 +23,7 @@ solver::Problem sound(const std::string& text) {
 
 std::string with(std::string_view more) { return std::string(slab) + std::string(more); }
 
-std::string replaced(std::string_view what, std::string_view by) {
+std::string slab_with(std::string_view what, std::string_view by) {
     std::string text(slab);
     return text.replace(text.find(what), what.size(), by);
 }
@@ -69,7 +69,7 @@ TEST(Reader, TheExampleOfTheReadmeIsSound) {
 }
 
 TEST(Reader, EveryKeyOfTimeArrives) {
-    const solver::Settings settings = sound(replaced("end = \"60 s\"", R"(start = "1 min"
+    const solver::Settings settings = sound(slab_with("end = \"60 s\"", R"(start = "1 min"
 end = "1 h"
 step = "2 s"
 output = "10 s"
@@ -87,11 +87,13 @@ steady = false)"))
     EXPECT_EQ(settings.linear_solver, solver::LinearSolver::conjugate_gradient);
 }
 
-TEST(Reader, ASteadyCaseNeedsNoEnd) { EXPECT_TRUE(sound(replaced("end = \"60 s\"", "steady = true")).settings.steady); }
+TEST(Reader, ASteadyCaseNeedsNoEnd) {
+    EXPECT_TRUE(sound(slab_with("end = \"60 s\"", "steady = true")).settings.steady);
+}
 
 // Surface nodes start with their layer.
 TEST(Reader, LayersMayStartApart) {
-    const solver::Problem problem = sound(replaced("temperature = \"23 degC\"", "rubber = \"40 degC\""));
+    const solver::Problem problem = sound(slab_with("temperature = \"23 degC\"", "rubber = \"40 degC\""));
     EXPECT_EQ(problem.initial, std::vector<double>(static_cast<std::size_t>(problem.mesh.n_nodes), 313.15));
 }
 
@@ -237,7 +239,7 @@ meaning = "my own words"
 
 // An effect's kelvin parameter is a number of kelvin; see the page.
 TEST(Reader, UnusualValuesAreWarnedAboutAndUsed) {
-    const std::string text = replaced("density = \"1100 kg/m3\"", "density = \"50 kg/m3\"");
+    const std::string text = slab_with("density = \"1100 kg/m3\"", "density = \"50 kg/m3\"");
     EXPECT_DOUBLE_EQ(sound(text).materials.at(0).density, 50.0);
     EXPECT_EQ(warnings(text).size(), 1U);
 }

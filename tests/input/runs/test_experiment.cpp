@@ -51,25 +51,25 @@ void expect_five(const ExperimentReading& reading, const std::string& how) {
     EXPECT_EQ(run.unused[0].value, (std::vector<double>{0.10, 0.20, 0.35, 0.40, 0.15}));
 }
 
-constexpr std::string_view one_run = "[[run]]\nfile = \"run1.csv\"\n";
+constexpr std::string_view first_run = "[[run]]\nfile = \"run1.csv\"\n";
 
 }  // namespace
 
-TEST(Experiment, ALogIsReadWithItsUnits) { expect_five(read_bench(one_run), "commas"); }
+TEST(Experiment, ALogIsReadWithItsUnits) { expect_five(read_bench(first_run), "commas"); }
 
 TEST(Experiment, DialectsOfOneLogAreOneExperiment) {
     const std::string log(log_of_five);
-    expect_five(read_bench(one_run, replaced(log, ",", ";")), "semicolons");
-    expect_five(read_bench(one_run, replaced(log, ",", "\t")), "tabs");
-    expect_five(read_bench(one_run, "\xEF\xBB\xBF" + replaced(log, "\n", "\r\n")), "mark and carriage returns");
-    expect_five(read_bench(one_run, replaced(log, "\n", "\n\n")), "blank lines");
+    expect_five(read_bench(first_run, replaced(log, ",", ";")), "semicolons");
+    expect_five(read_bench(first_run, replaced(log, ",", "\t")), "tabs");
+    expect_five(read_bench(first_run, "\xEF\xBB\xBF" + replaced(log, "\n", "\r\n")), "mark and carriage returns");
+    expect_five(read_bench(first_run, replaced(log, "\n", "\n\n")), "blank lines");
     const std::string numbers = log.substr(log.find('\n') + 1);
     const std::string names =
         "time,speed,vertical_load,air_temperature,road_temperature,throttle,surface_temperature,bulk_temperature\n";
     const std::string units = "s,km/h,N,degC,degC,-,degC,degC\n";
-    expect_five(read_bench(one_run, names + units + numbers), "a line of units");
+    expect_five(read_bench(first_run, names + units + numbers), "a line of units");
     expect_five(
-        read_bench(one_run, replaced(names, ",", ";") + replaced(units, ",", ";") + replaced(numbers, ",", ";")),
+        read_bench(first_run, replaced(names, ",", ";") + replaced(units, ",", ";") + replaced(numbers, ",", ";")),
         "a line of units, semicolons");
 }
 
@@ -86,11 +86,11 @@ TEST(Experiment, LinesAboutTheRecordingMayStandAboveTheNames) {
     std::string rest(log_of_five.substr(log_of_five.find('\n') + 1));
     rest = "\"" + replaced(replaced(rest, ",", "\",\""), "\n", "\"\r\n\"");
     log += rest.substr(0, rest.size() - 1);
-    expect_five(read_bench(one_run, log), "MoTeC");
+    expect_five(read_bench(first_run, log), "MoTeC");
 }
 
 TEST(Experiment, TheOrderOfColumnsDoesNotMatter) {
-    expect_five(read_bench(one_run,
+    expect_five(read_bench(first_run,
                            "bulk_temperature [degC],throttle [-],road_temperature [degC],vertical_load [kN],time [min],"
                            "surface_temperature [K],air_temperature [degC],speed [m/s]\n"
                            "25.5,0.10,30,4.0,0,298.15,25,10\n"

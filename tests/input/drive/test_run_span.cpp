@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a run of readings without inputs starts, what is said of a schedule that is not driven, and tables of probes.
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "input/measurements/measured_bench.hpp"
