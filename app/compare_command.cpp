@@ -2,6 +2,7 @@
 // `tiretherm compare`: simulates the measured runs of a case without fitting and reports the differences, channel by
 // channel.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -22,13 +23,21 @@ namespace tiretherm::app {
 
 namespace {
 
-/// The case with half the spacing, where looking at the error of its grid costs little: some three times a run of few cells.
-std::optional<input::Experiment> on_finer_grid(const MeasuredCall& call, const input::Experiment& experiment) {
+/// How much a look at the error of the grid would cost, where that is too much: it takes some seven times a run.
+std::optional<diagnosis::GridLeftOut> too_costly_grid(const input::Experiment& experiment) {
     constexpr int most_cells = 400;
-    const mesh::Mesh& mesh = experiment.runs.front().problem.mesh;
-    if (mesh.is_lumped() || mesh.n_cells > most_cells) {
-        return std::nullopt;
+    constexpr double most_cell_samples = 4e6;  // half a minute
+    diagnosis::GridLeftOut look{.cells = experiment.runs.front().problem.mesh.n_cells};
+    for (const input::MeasuredRun& run : experiment.runs) {
+        look.samples += std::max(run.time.size(), run.problem.input_signals.samples().size());
     }
+    const bool is_small =
+        look.cells <= most_cells && look.cells * static_cast<double>(look.samples) <= most_cell_samples;
+    return is_small ? std::nullopt : std::optional(look);
+}
+
+/// The case with half the spacing.
+std::optional<input::Experiment> on_finer_grid(const MeasuredCall& call) {
     return input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.finer = 2})
         .experiment;
 }
@@ -47,12 +56,15 @@ int compare(const MeasuredCall& call) {
     if (!folder) {
         return Exit::input_error;
     }
-    const std::optional<input::Experiment> finer = on_finer_grid(call, *reading->experiment);
+    const bool has_grid = !reading->experiment->runs.front().problem.mesh.is_lumped();
+    const auto left_out = has_grid ? too_costly_grid(*reading->experiment) : std::nullopt;
+    const std::optional<input::Experiment> finer = has_grid && !left_out ? on_finer_grid(call) : std::nullopt;
     diagnosis::Comparison comparison = diagnosis::compare(*reading->experiment, name, finer ? &*finer : nullptr);
     if (!comparison.status.ok()) {
         report_error(comparison.status.message, "nothing was compared", call.json);
         return comparison.status.outcome == solver::Outcome::stopped ? Exit::interrupted : Exit::numerical_failure;
     }
+    comparison.grid_left_out = left_out;
     comparison.warnings = reading->warnings;
     comparison.findings = reading->data_warnings;
     const auto page = write_measured_page(

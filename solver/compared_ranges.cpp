@@ -23,23 +23,25 @@ double value_of(const Problem& problem, const physics::ActiveEffect& active, con
                                   : std::abs(inputs.*physics::find_signal(range.signal)->member);
 }
 
-double highest_of(const Problem& problem, const physics::ActiveEffect& active, const physics::ComparedRange& range) {
+/// Calls `take` with the inputs of a run wherever they bend or jump.
+template <typename Take>
+void each_moment(const Problem& problem, const Take& take) {
     const Settings& settings = problem.settings;
-    std::vector<double> times{settings.start, settings.end};
-    for (const std::vector<double>* more : {&problem.input_signals.stops(), &problem.input_signals.samples()}) {
-        std::ranges::copy_if(*more, std::back_inserter(times),
-                             [&](double t) { return t > settings.start && t < settings.end; });
+    const InputSignals& signals = problem.input_signals;
+    const auto is_inside = [&](double t) { return t > settings.start && t < settings.end; };
+    take(signals.at(settings.start, JumpSide::after));
+    take(signals.at(settings.end, JumpSide::before));
+    for (const double t : signals.stops()) {
+        if (is_inside(t)) {
+            take(signals.at(t, JumpSide::before));
+            take(signals.at(t, JumpSide::after));
+        }
     }
-    double highest = 0.0;
-    for (const double t : times) {
-        const auto at = [&](JumpSide side) {
-            return value_of(problem, active, range, problem.input_signals.at(t, side));
-        };
-        const double before = at(JumpSide::before);
-        const double after = at(JumpSide::after);
-        highest = std::max({highest, t > settings.start ? before : after, t < settings.end ? after : before});
+    for (const double t : signals.samples()) {  // where nothing jumps
+        if (is_inside(t)) {
+            take(signals.at(t, JumpSide::before));
+        }
     }
-    return highest;
 }
 
 /// In the units that engineers write.
@@ -66,16 +68,32 @@ std::string BeyondCompared::text() const {
 }
 
 std::vector<BeyondCompared> beyond_compared(const Problem& problem) {
-    std::vector<BeyondCompared> found;
+    struct Watched {
+        const physics::ActiveEffect* active;
+        BeyondCompared law;
+    };
+    std::vector<Watched> watched;
     for (const physics::ActiveEffect& active : problem.effects) {
-        if (active.total) {  // measured, in the place of the law
-            continue;
-        }
         for (const physics::ComparedRange& range : active.effect->compared) {
-            const double highest = highest_of(problem, active, range);
-            if (highest > range.high * (1.0 + slack) || (highest > 0.0 && highest < range.low * (1.0 - slack))) {
-                found.push_back({.effect = active.effect->id, .range = &range, .highest = highest});
+            if (!active.total) {  // otherwise it was measured, in the place of the law
+                watched.push_back({&active, {.effect = active.effect->id, .range = &range, .highest = 0.0}});
             }
+        }
+    }
+    if (watched.empty()) {
+        return {};
+    }
+    each_moment(problem, [&](const physics::Inputs& inputs) {
+        for (auto& [active, law] : watched) {
+            law.highest = std::max(law.highest, value_of(problem, *active, *law.range, inputs));
+        }
+    });
+    std::vector<BeyondCompared> found;
+    for (const auto& [active, law] : watched) {
+        const physics::ComparedRange& range = *law.range;
+        if (law.highest > range.high * (1.0 + slack) ||
+            (law.highest > 0.0 && law.highest < range.low * (1.0 - slack))) {
+            found.push_back(law);
         }
     }
     return found;

@@ -3,24 +3,34 @@
 #include "solver/input_signals.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 namespace tiretherm::solver {
 
 namespace {
 
-/// @param all ascending, unique  @param more in any order, with doubles
-void merge(std::vector<double>& all, std::vector<double> more) {
-    std::ranges::sort(more);
+/// @param all ascending, unique  @param more in any order, with doubles; those of a log's next column are mostly the same
+void merge(SharedSamples& all, const SharedSamples& more) {
+    if (more.empty() || more == all) {
+        return;
+    }
+    if (all.empty() && std::ranges::adjacent_find(more, std::greater_equal{}) == more.end()) {
+        all = more;
+        return;
+    }
+    std::vector<double> sorted = more;
+    std::ranges::sort(sorted);
     std::vector<double> merged;
-    std::ranges::set_union(all, more, std::back_inserter(merged));
+    merged.reserve(all.size() + sorted.size());
+    std::ranges::set_union(all, sorted, std::back_inserter(merged));
     merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
     all = std::move(merged);
 }
 
 /// The first point that comes after a time, or at it if the side before counts. A log's samples are nearly even: it is looked for from where
 /// it would then be, farther away each time.
-std::vector<double>::const_iterator next_point(const std::vector<double>& time, double t, JumpSide side) {
+std::size_t next_point(const std::vector<double>& time, double t, JumpSide side) {
     const auto is_past = [&](double point) { return side == JumpSide::after ? point <= t : point < t; };
     const double share = (t - time.front()) / (time.back() - time.front());
     const auto n = std::ssize(time);
@@ -36,26 +46,28 @@ std::vector<double>::const_iterator next_point(const std::vector<double>& time, 
         begin = end + 1;
         end += std::min(step, n - end);
     }
-    return std::partition_point(time.begin() + begin, time.begin() + end, is_past);
+    const auto next = std::partition_point(time.begin() + begin, time.begin() + end, is_past);
+    return static_cast<std::size_t>(next - time.begin());
+}
+
+/// @param next the first point after `t`
+double value_before(const std::vector<double>& time, const std::vector<double>& value, std::size_t next, double t) {
+    if (next == 0) {
+        return value.front();
+    }
+    if (next == time.size()) {
+        return value.back();
+    }
+    if (time[next] == t) {  // to the last digit the same from both sides
+        return value[next];
+    }
+    const double width = time[next] - time[next - 1];
+    return width > 0.0 ? value[next - 1] + (value[next] - value[next - 1]) * (t - time[next - 1]) / width : value[next];
 }
 
 }  // namespace
 
-double Series::at(double t, JumpSide side) const {
-    const auto next = next_point(time, t, side);
-    if (next == time.begin()) {
-        return value.front();
-    }
-    if (next == time.end()) {
-        return value.back();
-    }
-    const auto i = static_cast<std::size_t>(next - time.begin());
-    if (time[i] == t) {  // to the last digit the same from both sides
-        return value[i];
-    }
-    const double width = time[i] - time[i - 1];
-    return width > 0.0 ? value[i - 1] + (value[i] - value[i - 1]) * (t - time[i - 1]) / width : value[i];
-}
+double Series::at(double t, JumpSide side) const { return value_before(time, value, next_point(time, t, side), t); }
 
 void InputSignals::add(const physics::Signal& signal, double constant) {
     constants_.*signal.member = constant;
@@ -64,6 +76,12 @@ void InputSignals::add(const physics::Signal& signal, double constant) {
 
 void InputSignals::add(Series series) {
     given_.push_back(series.signal);
+    const auto has_jumps = [&] { return std::ranges::adjacent_find(series.time) != series.time.end(); };
+    if (series.logged && !has_jumps()) {
+        add_sample_times(series.time);
+        series_.push_back(std::move(series));
+        return;
+    }
     std::vector<double> stops;
     std::vector<double> samples;
     for (std::size_t i = 0; i < series.time.size(); ++i) {
@@ -81,9 +99,9 @@ void InputSignals::replace(Series series) {
     add(std::move(series));
 }
 
-void InputSignals::add_break_times(std::vector<double> times) { merge(stops_, std::move(times)); }
+void InputSignals::add_break_times(SharedSamples times) { merge(stops_, times); }
 
-void InputSignals::add_sample_times(std::vector<double> times) { merge(samples_, std::move(times)); }
+void InputSignals::add_sample_times(SharedSamples times) { merge(samples_, times); }
 
 void InputSignals::advance(const physics::Signal& signal, double delay) {
     for (Series& series : series_) {
@@ -91,15 +109,16 @@ void InputSignals::advance(const physics::Signal& signal, double delay) {
             continue;
         }
         if (series.logged) {
-            const Series late = series;
-            for (std::size_t i = 0; i < series.time.size(); ++i) {
+            std::vector<double> in_time(series.time.size());
+            for (std::size_t i = 0; i < in_time.size(); ++i) {
                 const bool second = i > 0 && series.time[i] == series.time[i - 1];
-                series.value[i] = late.at(series.time[i] + delay, second ? JumpSide::after : JumpSide::before);
+                in_time[i] = series.at(series.time[i] + delay, second ? JumpSide::after : JumpSide::before);
             }
+            series.value = std::move(in_time);
         } else {
-            for (double& t : series.time) {
-                t -= delay;
-            }
+            std::vector<double> earlier = series.time;
+            std::ranges::for_each(earlier, [&](double& t) { t -= delay; });
+            series.time = std::move(earlier);
             add_break_times(series.time);
         }
     }
@@ -110,8 +129,10 @@ void InputSignals::move(const physics::Signal& signal, double factor, double by)
         constants_.*signal.member = factor * constants_.*signal.member + by;
     }
     for (Series& series : series_) {
-        for (double& value : series.value) {
-            value = series.signal == &signal ? factor * value + by : value;
+        if (series.signal == &signal) {
+            std::vector<double> moved = series.value;
+            std::ranges::for_each(moved, [&](double& value) { value = factor * value + by; });
+            series.value = std::move(moved);
         }
     }
 }
@@ -123,8 +144,14 @@ bool InputSignals::gives(const physics::Signal& signal) const {
 physics::Inputs InputSignals::at(double t, JumpSide side) const {
     physics::Inputs inputs = constants_;
     inputs.time = t - start_;
+    const double* times = nullptr;  // of the column before, which those of one log share
+    std::size_t next = 0;
     for (const Series& s : series_) {
-        inputs.*(s.signal->member) = s.at(t, side);
+        if (s.time.data() != times) {
+            times = s.time.data();
+            next = next_point(s.time, t, side);
+        }
+        inputs.*(s.signal->member) = value_before(s.time, s.value, next, t);
     }
     return inputs;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/signals.hpp"
+#include "solver/shared_samples.hpp"
 
 namespace tiretherm::solver {
 
@@ -17,9 +18,9 @@ enum class JumpSide : std::uint8_t { before, after };
 /// One input against time, linear between its points and held beyond them. Two points at the same time are a jump.
 struct Series {
     const physics::Signal* signal = nullptr;
-    std::vector<double> time;   ///< s, not descending
-    std::vector<double> value;  ///< SI
-    bool logged = false;        ///< a logger's samples, which do not bound the step; otherwise a schedule, which does
+    SharedSamples time;   ///< s, not descending
+    SharedSamples value;  ///< SI
+    bool logged = false;  ///< a logger's samples, which do not bound the step; otherwise a schedule, which does
 
     [[nodiscard]] double at(double t, JumpSide side) const;
 };
@@ -33,10 +34,10 @@ public:
     void replace(Series series);
 
     /// Times a step must end on though no input has a point there: jumps of signals that are no inputs. @param times s
-    void add_break_times(std::vector<double> times);
+    void add_break_times(SharedSamples times);
     /// Times between which the inputs, and what follows from them, are averaged in pieces as between the samples of a
     /// log: those of a user's signal, or of a field that follows time. @param times s
-    void add_sample_times(std::vector<double> times);
+    void add_sample_times(SharedSamples times);
 
     /// Takes what a series says a time later, now: of a log that is late. A log is read off at its own samples, between them by
     /// straight lines; the points of a schedule move. @param delay s; negative: the log is early
@@ -62,8 +63,8 @@ private:
     double start_ = 0.0;
     std::vector<const physics::Signal*> given_;
     std::vector<Series> series_;
-    std::vector<double> stops_;
-    std::vector<double> samples_;
+    SharedSamples stops_;
+    SharedSamples samples_;
 };
 
 }  // namespace tiretherm::solver

@@ -29,7 +29,6 @@ public:
           pitch_(turn / problem.mesh.sectors) {}
 
     std::optional<Series> series(std::size_t most) {
-        series_ = {.signal = signal_, .time = {}, .value = {}, .logged = false};
         double t = problem_.settings.start;
         double angle = given_ ? at(t, JumpSide::after).wheel_angle : 0.0;
         add(t, angle);
@@ -46,12 +45,12 @@ public:
                 } else {
                     add(t, angle);
                 }
-                if (series_.time.size() > most) {
+                if (time_.size() > most) {
                     return std::nullopt;
                 }
             }
         }
-        return std::move(series_);
+        return Series{.signal = signal_, .time = std::move(time_), .value = std::move(value_), .logged = false};
     }
 
 private:
@@ -138,15 +137,16 @@ private:
     }
 
     void add(double t, double angle) {
-        series_.time.push_back(t);
-        series_.value.push_back(angle);
+        time_.push_back(t);
+        value_.push_back(angle);
     }
 
     const Problem& problem_;
     const physics::Signal* signal_;
     bool given_;
     double pitch_;
-    Series series_{};
+    std::vector<double> time_{};
+    std::vector<double> value_{};
 };
 
 }  // namespace

@@ -109,14 +109,15 @@ input::Experiment planned_run_of(const input::Experiment& experiment, const Mano
     const double power = largest_power(experiment);
     solver::InputSignals input_signals;
     const auto series = [&](const physics::Signal& signal, auto value) {
-        solver::Series one{.signal = &signal, .time = {}, .value = {}};
+        std::vector<double> time;
+        std::vector<double> held;
         double t = 0.0;
         for (const Hold& hold : manoeuvre.holds) {
-            one.time.insert(one.time.end(), {t == 0.0 ? 0.0 : t + ramp, t + minute * hold.minutes});
-            one.value.insert(one.value.end(), {value(hold), value(hold)});
+            time.insert(time.end(), {t == 0.0 ? 0.0 : t + ramp, t + minute * hold.minutes});
+            held.insert(held.end(), {value(hold), value(hold)});
             t += minute * hold.minutes;
         }
-        input_signals.add(std::move(one));
+        input_signals.add(solver::Series{.signal = &signal, .time = std::move(time), .value = std::move(held)});
     };
     for (const physics::Signal& signal : physics::signals()) {
         if (!experiment.runs.front().problem.input_signals.gives(signal)) {

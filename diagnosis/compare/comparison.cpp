@@ -61,18 +61,29 @@ ComparedSeries Beside::series(const input::MeasuredSeries& measured) const {
     result.regressor.resize(regressors.size());
     const bool is_temperature = run.problem.channels[measured.channel].quantity == solver::Quantity::temperature;
     const bool has_air = run.problem.input_signals.gives(*physics::find_signal("air_temperature"));
-    for (std::size_t i = 0; i < run.time.size(); ++i) {
+    const std::size_t n = run.time.size();
+    for (std::vector<double>* column : {&result.time, &result.measured, &result.simulated, &result.surroundings}) {
+        column->reserve(n);
+    }
+    result.phase.reserve(n);
+    std::ranges::for_each(result.regressor, [&](std::vector<double>& values) { values.reserve(n); });
+    const bool forces = has_forces(run);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < n; ++i) {
         if (std::isnan(measured.value[i])) {
             continue;
         }
         const double t = run.time[i];
+        while (times[at] < t) {
+            ++at;
+        }
         const physics::Inputs inputs = run.problem.input_signals.at(t, solver::JumpSide::after);
-        const double simulated = prediction.at(index_of(times, t), measured.channel);
+        const double simulated = prediction.at(at, measured.channel);
         result.time.push_back(t);
         result.measured.push_back(measured.value[i]);
         result.simulated.push_back(simulated);
         result.surroundings.push_back(!is_temperature ? 0.0 : has_air ? inputs.air_temperature : not_read);
-        result.phase.push_back(phase_at(run.problem, t, has_forces(run)));
+        result.phase.push_back(phase_at(run.problem, t, forces));
         const SampleContext moment{
             .run = run, .sample = i, .inputs = inputs, .simulated = simulated, .is_temperature = is_temperature};
         for (std::size_t r = 0; r < regressors.size(); ++r) {

@@ -3,6 +3,7 @@
 // numbers, camera images and their figures.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,12 @@ struct ComparedNumber {
     [[nodiscard]] double in_uncertainties() const { return (simulated - measured) / uncertainty; }
 };
 
+/// A grid whose error was not looked at, because that would take too long.
+struct GridLeftOut {
+    int cells = 0;
+    std::size_t samples = 0;  ///< of all runs, of sensors or of inputs
+};
+
 /// Measured compared with simulated. Every difference is simulated - measured.
 struct Comparison {
     std::string name;
@@ -106,6 +113,7 @@ struct Comparison {
     std::vector<ComparedChannel> channels;      ///< of which anything was logged
     std::vector<ComparedNumber> numbers;
     std::vector<ComparedImages> images;  ///< of cameras, run by run
+    std::optional<GridLeftOut> grid_left_out{};
     std::vector<std::string> warnings;
     std::vector<std::string> findings;
     solver::Status status;  ///< of the first run that failed; then there are no figures

@@ -41,14 +41,18 @@ double joint(const Pieces& a, double mean_a, const Pieces& b, double mean_b, std
     return sum;
 }
 
-/// Means of groups of neighbours, so that no piece is longer than a thousand: the slow part, which counts, stays.
+/// Means of groups of neighbours, so that no piece is longer than a thousand, and all their lags cost little: the slow part,
+/// which counts, stays.
 Pieces coarse(const Pieces& pieces) {
     constexpr std::size_t enough = 1000;
+    constexpr double most_products = 1e8;
     std::size_t longest = 0;
     for (const std::vector<double>& piece : pieces) {
         longest = std::max(longest, piece.size());
     }
-    const std::size_t group = std::max<std::size_t>(1, longest / enough);
+    const double products = static_cast<double>(longest) * static_cast<double>(count(pieces));
+    const std::size_t group =
+        std::max({std::size_t{1}, longest / enough, static_cast<std::size_t>(std::sqrt(products / most_products))});
     if (group == 1) {
         return pieces;
     }

@@ -119,11 +119,23 @@ private:
         if (number.count == 8 && stamp_.orders == 0 && year >= first_year && year <= last_year) {  // 20261024
             return set_date({year, number.value / 100 % 100, number.value % 100}, bit_of(DateOrder::year_month_day));
         }
+        if (number.count == 6 && stamp_.orders != 0 && !has_time_) {  // 114903.250
+            return take_joined_time(number);
+        }
         if (bare_count_ == bare_.size()) {
             return false;
         }
         bare_[bare_count_++] = number;
         return true;
+    }
+
+    /// The time of a day without colons, behind its date: 114903, 114903.250.
+    bool take_joined_time(const Digits& joined) {
+        has_time_ = true;
+        first_ = joined.value / 10000;
+        second_ = joined.value / 100 % 100;
+        third_ = joined.value % 100;
+        return first_ < 24 && second_ < 60 && third_ < 61.0 && take_decimals(third_);
     }
 
     /// 24.10.2026, 10/24/26, 2026-10-24, 24-Oct-2026.

@@ -15,20 +15,23 @@ namespace tiretherm::input {
 /// How the numbers of a column are written.
 enum class FieldForm : std::uint8_t {
     number,
-    clock,        ///< 11:49:03.250, 1:23.456, 2:05 PM, 24.10.2026 23:20, Sep 3, 2024 14:05, 2025-12-16T11:49:03+01:00
+    clock,        ///< 11:49:03.250, 1:23.456, 2:05 PM, 24.10.2026 23:20, Sep 3, 2024 14:05, 2025-12-16T11:49:03+01:00,
+                  ///< 20251216T114903.250
     digits,       ///< 114903.25 is 11:49:03.25
     since,        ///< a number, counted from the first one on: 1767150797.44
     since_in_ms,  ///< the same in milliseconds, 1767150797440
     since_in_us,
-    since_in_ns
+    since_in_ns,
+    since_in_days  ///< as a spreadsheet keeps a moment: 46090.58321759, the days since 1900
 };
 
-/// Seconds of one of a form that counts since 1970.
+/// Seconds of one of a form that counts.
 [[nodiscard]] constexpr double seconds_of_one(FieldForm form) {
-    return form == FieldForm::since_in_ms   ? 1e-3
-           : form == FieldForm::since_in_us ? 1e-6
-           : form == FieldForm::since_in_ns ? 1e-9
-                                            : 1.0;
+    return form == FieldForm::since_in_ms     ? 1e-3
+           : form == FieldForm::since_in_us   ? 1e-6
+           : form == FieldForm::since_in_ns   ? 1e-9
+           : form == FieldForm::since_in_days ? 86400.0
+                                              : 1.0;
 }
 
 /// Which number of a date is which.

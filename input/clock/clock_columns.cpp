@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "input/tables/csv.hpp"
 #include "input/text/column_names.hpp"
 
 namespace tiretherm::input {
@@ -58,6 +59,25 @@ bool are_digits(const std::function<void(const FieldVisitor&)>& visit) {
     return may_be && ends_a_minute;
 }
 
+/// Whether numbers are days as a spreadsheet counts them, from 2000 on: they go on by less than any seconds of a day do.
+bool are_days(const std::function<void(const FieldVisitor&)>& visit) {
+    constexpr double first_day = 36526.0;
+    constexpr double last_day = 73050.0;
+    constexpr double longest_step = 9e-4;  // 78 s, or less than the step of a clock of 1 kHz
+    double last = std::nan("");
+    bool goes_on = false;
+    std::string room;
+    visit([&](std::string_view field) {
+        const std::optional<Number> number = leading_number(with_point(field, room));
+        const bool may_be = number && number->rest.empty() && number->value >= first_day && number->value < last_day;
+        const double step = may_be ? number->value - last : 0.0;
+        goes_on = step > 0.0 && step < longest_step;
+        last = may_be ? number->value : last;
+        return may_be && !(step > 0.0);
+    });
+    return goes_on;
+}
+
 }  // namespace
 
 void take_time_units(std::vector<ColumnHead>& heads) {
@@ -89,7 +109,8 @@ FieldForm form_of(const ColumnHead& head, std::string_view first,
     if (unit == "unix time") {
         return FieldForm::since;
     }
-    const std::optional<Number> number = leading_number(first);
+    std::string room;
+    const std::optional<Number> number = leading_number(with_point(first, room));
     if (!is_named || !number || !number->rest.empty()) {
         return FieldForm::number;
     }
@@ -103,6 +124,9 @@ FieldForm form_of(const ColumnHead& head, std::string_view first,
         if ((unit.empty() || unit == of) && seconds > before_loggers && seconds < after_them) {
             return form;
         }
+    }
+    if (unit.empty() && are_days(visit)) {
+        return FieldForm::since_in_days;
     }
     const bool is_large = number->value >= least_digits && may_be_digits(number->value);
     return unit.empty() && is_large && are_digits(visit) ? FieldForm::digits : FieldForm::number;

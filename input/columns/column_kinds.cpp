@@ -80,7 +80,8 @@ bool is_clock(const std::vector<MeasuredRun>& runs, const std::vector<std::vecto
     std::vector<std::span<const double>> time;
     std::vector<std::span<const double>> way;
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        if (column.in[r] != nullptr) {
+        const UnusedSignal* before = r > 0 ? column.in[r - 1] : nullptr;  // which the corners of a recording share
+        if (column.in[r] != nullptr && (before == nullptr || before->value.data() != column.in[r]->value.data())) {
             value.emplace_back(column.in[r]->value);
             time.emplace_back(runs[r].time);
             way.emplace_back(ways[r]);

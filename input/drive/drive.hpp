@@ -18,8 +18,8 @@ namespace tiretherm::input {
 struct MeasuredInput {
     const physics::Signal* signal = nullptr;
     SourceLocation place;  ///< of its heading
-    std::vector<double> time;
-    std::vector<double> value;  ///< [time]; empty after an error
+    solver::SharedSamples time;
+    solver::SharedSamples value;  ///< [time]; empty after an error
 };
 
 /// What a sensor reads that [initial] names in the place of a temperature.

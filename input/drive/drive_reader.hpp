@@ -30,7 +30,7 @@ private:
                                         bool& outranked);
     /// @param column that is wanted  @param value [time], NaN where it is missing
     void take_column(const DataFile& file, const ColumnRequest& column, ColumnKeys& keys,
-                     const std::vector<double>& time, std::vector<double>& value, InputErrors& errors);
+                     const solver::SharedSamples& time, std::vector<double>& value, InputErrors& errors);
     /// The inputs that a measured run's file gives.
     void add_measured(InputErrors& errors);
     /// Whether the measured run's file gives a signal that stands in [drive] at this key.

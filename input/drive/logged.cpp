@@ -88,7 +88,7 @@ void DriveReader::read_log(TomlTable& table) {
     if (values.empty()) {
         return;
     }
-    const std::vector<double> time = std::move(values.front());
+    const solver::SharedSamples time = std::move(values.front());
     if (std::ranges::any_of(followed_, is_vehicle_signal)) {
         read_.signals.course = course_over_ground(*file, time, errors);
     }
@@ -104,27 +104,22 @@ void DriveReader::read_log(TomlTable& table) {
 }
 
 void DriveReader::take_column(const DataFile& file, const ColumnRequest& column, ColumnKeys& keys,
-                              const std::vector<double>& time, std::vector<double>& value, InputErrors& errors) {
+                              const solver::SharedSamples& time, std::vector<double>& value, InputErrors& errors) {
     const std::string& name = column.name;
     const SourceLocation& place = file.heads()[static_cast<std::size_t>(column.column)].place;
-    const std::string dead = keys.keeps_suspicious() ? std::string() : remove_dead(time, value, column.spec.unit);
-    if (!dead.empty()) {
-        errors.warn(place, fmt::format("{} {}: left out", name, dead));
-    }
-    const std::string elsewhere = fmt::format("ignore the column and give {} in [drive]", name);
-    if (!judge_gaps(name, time, value, {.place = place, .elsewhere = elsewhere}, errors)) {
+    leave_out_dead(column, place, keys, time, value, errors);
+    const auto found = driving_samples(
+        {.name = name, .time = time, .value = std::move(value), .holds = keys.holds(name), .before = {}},
+        {.place = place, .elsewhere = fmt::format("ignore the column and give {} in [drive]", name)}, errors);
+    if (!found) {
         return;
     }
-    solver::SignalHistory known = known_samples(time, value);
-    if (keys.holds(name)) {
-        known = held(known);
-    }
     if (const physics::Signal* signal = physics::find_signal(name)) {
-        read_.signals.inputs.add(solver::Series{
-            .signal = signal, .time = std::move(known.time), .value = std::move(known.value), .logged = true});
+        read_.signals.inputs.add(
+            solver::Series{.signal = signal, .time = found->time, .value = found->value, .logged = true});
     } else {
         UserColumn& own = *std::ranges::find(read_.signals.columns, name, &UserColumn::name);
-        own.signal = std::move(known);
+        own.signal = {.time = found->time, .value = found->value};
         own.beside = live_column_beside(file, column.column, own, time, errors);
     }
 }

@@ -96,6 +96,13 @@ std::optional<RunFile> open_run_file(const RunTable& run, const TomlValue& docum
 
 namespace {
 
+/// Of all samples of a file those that belong to the run.
+std::vector<double> cut(std::vector<double> all, const RunFile& file) {
+    all.resize(std::min(file.last, all.size()));
+    all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(file.first, all.size())));
+    return all;
+}
+
 /// The columns that user effects follow, in base units whatever their unit is.
 void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, InputErrors& errors) {
     const std::vector<FollowedColumn>& followed = file.columns.followed;
@@ -106,17 +113,19 @@ void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, Input
         into.columns.push_back({.name = column.name, .unit = base_unit(head.heading.unit), .signal = {}});
         requests.push_back(file.file.request(column.column, column.name, {.unit = into.columns.back().unit}));
     }
-    const std::vector<std::vector<double>> read = file.file.read(requests, errors);
+    std::vector<std::vector<double>> read = file.file.read(requests, errors);
+    const solver::SharedSamples time = cut(file.time, file);
     for (std::size_t i = 0; !file.time.empty() && i < read.size(); ++i) {
-        const auto first = static_cast<std::ptrdiff_t>(file.first);
-        const auto last = static_cast<std::ptrdiff_t>(file.last);
-        const std::vector<double> time(file.time.begin() + first, file.time.begin() + last);
-        const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
         const SourceLocation& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
-        const GapRemedy remedy{.place = place, .elsewhere = "let the effect follow another signal", .can_split = true};
-        if (judge_gaps(followed[i].name, time, value, remedy, errors)) {
-            const solver::SignalHistory known = file.repeated.before(known_samples(time, value));
-            into.columns[i].signal = keys.holds(followed[i].name) ? held(known) : known;
+        const auto found = driving_samples(
+            {.name = followed[i].name,
+             .time = time,
+             .value = cut(std::move(read[i]), file),
+             .holds = keys.holds(followed[i].name),
+             .before = file.repeated},
+            {.place = place, .elsewhere = "let the effect follow another signal", .can_split = true}, errors);
+        if (found) {
+            into.columns[i].signal = {.time = found->time, .value = found->value};
             into.columns[i].beside =
                 live_column_beside(file.file, followed[i].column, into.columns[i], file.time, errors);
         }
@@ -124,6 +133,14 @@ void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, Input
 }
 
 }  // namespace
+
+void leave_out_dead(const ColumnRequest& column, const SourceLocation& place, const ColumnKeys& keys,
+                    const std::vector<double>& time, std::vector<double>& value, InputErrors& errors) {
+    const std::string dead = keys.keeps_suspicious() ? std::string() : remove_dead(time, value, column.spec.unit);
+    if (!dead.empty()) {
+        errors.warn(place, fmt::format("{} {}: left out", column.name, dead));
+    }
+}
 
 RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors& errors) {
     RunInputs into{.table = run.table, .name = run.name, .place = run.place};
@@ -152,9 +169,7 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
     if (file->time.empty()) {
         return into;
     }
-    const auto first = static_cast<std::ptrdiff_t>(file->first);
-    const auto last = static_cast<std::ptrdiff_t>(file->last);
-    const std::vector<double> time(file->time.begin() + first, file->time.begin() + last);
+    const solver::SharedSamples time = cut(file->time, *file);
     into.lead = file->repeated.lead();
     into.left_out = file->left_out;
     into.file_first = file->time.front();
@@ -163,24 +178,21 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
     into.last = time.back();
     for (std::size_t i = 0; i < read.size(); ++i) {
         MeasuredInput& input = into.inputs[i];
-        const std::string dead =
-            run.keys->keeps_suspicious() ? std::string() : remove_dead(file->time, read[i], input.signal->unit);
-        if (!dead.empty()) {
-            errors.warn(input.place, fmt::format("{} {}: left out", requests[i].name, dead));
+        const std::string& name = requests[i].name;
+        leave_out_dead(requests[i], input.place, *run.keys, file->time, read[i], errors);
+        const auto found = driving_samples({.name = name,
+                                            .time = time,
+                                            .value = cut(std::move(read[i]), *file),
+                                            .holds = run.keys->holds(name),
+                                            .before = file->repeated},
+                                           {.place = input.place,
+                                            .elsewhere = fmt::format("ignore the column and give {} in [drive]", name),
+                                            .can_split = true},
+                                           errors);
+        if (found) {
+            input.time = found->time;
+            input.value = found->value;
         }
-        const std::vector<double> value(read[i].begin() + first, read[i].begin() + last);
-        const GapRemedy remedy{.place = input.place,
-                               .elsewhere = fmt::format("ignore the column and give {} in [drive]", requests[i].name),
-                               .can_split = true};
-        if (!judge_gaps(requests[i].name, time, value, remedy, errors)) {
-            continue;
-        }
-        solver::SignalHistory known = file->repeated.before(known_samples(time, value));
-        if (run.keys->holds(requests[i].name)) {
-            known = held(known);
-        }
-        input.time = std::move(known.time);
-        input.value = std::move(known.value);
     }
     return into;
 }

@@ -30,6 +30,10 @@ struct RunFile {
                                                    const std::vector<std::string>& sensors,
                                                    const std::vector<std::string>& followed, InputErrors& errors);
 
+/// Makes missing what a column says while nothing is measured, with a warning, unless the case keeps it.
+void leave_out_dead(const ColumnRequest& column, const SourceLocation& place, const ColumnKeys& keys,
+                    const std::vector<double>& time, std::vector<double>& value, InputErrors& errors);
+
 /// The inputs that the file gives. A missing sample is left out, so that the input goes straight between its neighbours;
 /// where too much is missing that would be an invention, and is an error.
 [[nodiscard]] RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors& errors);

@@ -17,6 +17,7 @@
 #include "input/measurements/data_warnings.hpp"
 #include "input/new_case/log_columns.hpp"
 #include "input/runs/runs.hpp"
+#include "input/text/table_shelf.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
@@ -25,16 +26,16 @@ namespace {
 
 /// The samples that have a value, at their times.
 struct Known {
-    SampleTimes time;
-    std::vector<double> value;
+    solver::SharedSamples time;
+    std::vector<double> value{};
 };
 
-Known known_of(const DataFile& file, int column, const SampleTimes& time, InputErrors& errors) {
+Known known_of(const DataFile& file, int column, const solver::SharedSamples& time, InputErrors& errors) {
     DataFile::Samples samples = file.samples(column, time, errors);
     const auto is_missing = [](double value) { return !std::isfinite(value); };
     const bool shares_times = file.table().columns[static_cast<std::size_t>(column)].rate == 0.0;
     if (shares_times && std::ranges::none_of(samples.value, is_missing)) {
-        return {.time = samples.value.empty() ? SampleTimes(std::vector<double>()) : time,
+        return {.time = samples.value.empty() ? solver::SharedSamples(std::vector<double>()) : time,
                 .value = std::move(samples.value)};
     }
     std::vector<double> times;
@@ -89,9 +90,9 @@ RecordedColumn recorded_of(const ColumnSurvey& column, const LogColumn& log, Kno
             break;
         }
     }
+    std::ranges::for_each(known.value, [&](double& value) { value = recorded.conversion.to_si(value); });
     recorded.time = std::move(known.time);
     recorded.value = std::move(known.value);
-    std::ranges::for_each(recorded.value, [&](double& value) { value = recorded.conversion.to_si(value); });
     return recorded;
 }
 
@@ -112,7 +113,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
                                     InputErrors& errors) {
     std::optional<Log> log = read_log(path, mesh_template("section", 12.0), units, errors);
     InputErrors again = errors;  // shares the file
-    const std::optional<DataFile> file = log ? DataFile::open(path, {}, again) : std::nullopt;
+    std::optional<DataFile> file = log ? DataFile::open(path, {}, again) : std::nullopt;
     if (!file) {
         return std::nullopt;
     }
@@ -123,11 +124,11 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
     const LogColumn* clock = log->find("time");
     Recording recording;
     recording.time = std::move(log->time);
-    SampleTimes time = recording.time;
+    solver::SharedSamples time = recording.time;
     const bool has_own_clocks = file->table().has_own_clocks();
     if (has_own_clocks) {  // the log has the rows of its used channels alone
         auto all = file->read({{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, again);
-        time = all.empty() ? time : SampleTimes(std::move(all.front()));
+        time = all.empty() ? time : solver::SharedSamples(std::move(all.front()));
     }
     survey.doubts = said_while_reading(errors, survey.path);
     survey.from = time.front();
@@ -181,6 +182,8 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
         }
         survey.columns.push_back(std::move(found));
     }
+    file.reset();
+    again.tables().tables.clear();  // nobody reads the file any more
     std::ranges::move(find_suspicious(recording), std::back_inserter(survey.doubts));
     return survey;
 }

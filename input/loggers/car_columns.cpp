@@ -140,6 +140,11 @@ std::vector<CarColumn> car_columns(std::string_view heading) {
     return found;
 }
 
+bool names_an_axis(std::string_view heading) {
+    const Words words = words_of(heading);
+    return has_any(words, column_words::axis_x) || has_any(words, column_words::axis_y);
+}
+
 bool is_motion(std::string_view name) {
     return name == "longitudinal_acceleration" || name == "lateral_acceleration" || name == "yaw_rate" ||
            name == "steering_wheel_angle";

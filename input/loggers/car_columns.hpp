@@ -27,5 +27,7 @@ struct CarColumn {
 
 /// Whether it is a signal that says how the car moves, speed aside.
 [[nodiscard]] bool is_motion(std::string_view name);
+/// Whether a heading has the letter of an axis, as that of an acceleration: AccX, "Accel Y".
+[[nodiscard]] bool names_an_axis(std::string_view heading);
 
 }  // namespace tiretherm::input

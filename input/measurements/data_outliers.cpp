@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -59,6 +58,7 @@ std::vector<double> off_median(const std::vector<double>& value) {
 /// @param counts which samples are measured: one that stands still scatters by nothing
 double scale_of(const RecordedColumn& column, const std::vector<double>& off, const std::vector<bool>& counts) {
     std::vector<double> magnitudes;
+    magnitudes.reserve(off.size());
     for (std::size_t i = 0; i < off.size(); ++i) {
         if (counts[i]) {
             magnitudes.push_back(std::abs(off[i]));
@@ -96,27 +96,31 @@ std::string find_time_jumps(const Recording& recording) {
         return fmt::format("goes on for {} h, and {} ms would be {} s: is the column in ms?",
                            three_digits(length / 3600.0), three_digits(length), three_digits(length / 1000.0));
     }
-    std::vector<double> intervals;
+    std::vector<double> between;  // the samples; lines that stand twice have no interval
+    between.reserve(time.size());
+    std::size_t before_longest = 0;
     for (std::size_t i = 1; i < time.size(); ++i) {
-        intervals.push_back(time[i] - time[i - 1]);
+        const double interval = time[i] - time[i - 1];
+        if (interval > 0.0) {
+            between.push_back(interval);
+        }
+        before_longest = interval > time[before_longest + 1] - time[before_longest] ? i - 1 : before_longest;
     }
-    // Lines that stand twice have no interval.
-    std::vector<double> between;
-    std::ranges::copy_if(intervals, std::back_inserter(between), [](double interval) { return interval > 0.0; });
     if (between.empty()) {
         return {};
     }
-    const double usual = median(between);
-    const auto longest = std::max_element(intervals.begin(), intervals.end());
-    const auto jumps = std::count_if(intervals.begin(), intervals.end(),
-                                     [&](double interval) { return interval > long_interval * usual; });
+    const double longest = time[before_longest + 1] - time[before_longest];
+    const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
+    std::nth_element(between.begin(), middle, between.end());
+    const double usual = *middle;
+    const auto jumps = std::ranges::count_if(between, [&](double one) { return one > long_interval * usual; });
     if (jumps == 0) {
         return {};
     }
-    const std::string from = fmt::format("{:.6g} s", time[static_cast<std::size_t>(longest - intervals.begin())]);
+    const std::string from = fmt::format("{:.6g} s", time[before_longest]);
     const std::string how = jumps == 1
-                                ? fmt::format("jumps by {:.6g} s after {}", *longest, from)
-                                : fmt::format("jumps {} times, at most by {:.6g} s after {}", jumps, *longest, from);
+                                ? fmt::format("jumps by {:.6g} s after {}", longest, from)
+                                : fmt::format("jumps {} times, at most by {:.6g} s after {}", jumps, longest, from);
     return fmt::format("{}, where a sample mostly comes every {:.6g} s: was the logger paused?", how, usual);
 }
 

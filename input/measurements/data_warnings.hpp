@@ -11,23 +11,23 @@
 #include <vector>
 
 #include "input/measurements/experiment.hpp"
-#include "input/measurements/sample_times.hpp"
 #include "input/text/units.hpp"
 #include "physics/signals.hpp"
+#include "solver/shared_samples.hpp"
 
 namespace tiretherm::input {
 
 /// A column of a run's file that the model uses, without its missing samples.
 struct RecordedColumn {
-    std::string name;        ///< what the model calls it
-    std::string heading;     ///< what the file calls it
-    std::string unit;        ///< as written
-    std::string_view si;     ///< the unit of `value`
-    Conversion conversion;   ///< from `unit` to `si`
-    bool is_input = false;   ///< otherwise what a sensor read
-    std::size_t series = 0;  ///< of a sensor: index into MeasuredRun::series
-    SampleTimes time;        ///< s
-    std::vector<double> value;
+    std::string name;            ///< what the model calls it
+    std::string heading;         ///< what the file calls it
+    std::string unit;            ///< as written
+    std::string_view si;         ///< the unit of `value`
+    Conversion conversion;       ///< from `unit` to `si`
+    bool is_input = false;       ///< otherwise what a sensor read
+    std::size_t series = 0;      ///< of a sensor: index into MeasuredRun::series
+    solver::SharedSamples time;  ///< s
+    solver::SharedSamples value;
 
     [[nodiscard]] bool is_temperature() const { return si == "K"; }
     [[nodiscard]] double low() const { return statistics().low; }    ///< below which a hundredth of the values lies
@@ -58,8 +58,8 @@ struct RecordedColumn {
 
 /// What was recorded in a run.
 struct Recording {
-    SampleTimes time;       ///< s, of all samples
-    std::string time_unit;  ///< as written
+    solver::SharedSamples time;  ///< s, of all samples
+    std::string time_unit;       ///< as written
     std::vector<RecordedColumn> columns;
     bool keep_suspicious = false;  ///< what looks unusable counts all the same
 

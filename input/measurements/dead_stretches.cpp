@@ -202,6 +202,19 @@ std::string sentence_of_dead(const std::vector<Stretch>& dead, const std::vector
 
 std::string remove_dead(const std::vector<double>& time, std::vector<double>& value, std::string_view si,
                         const Happens& happens) {
+    const auto remove = [&](const std::vector<double>& at, const std::vector<double>& known, const auto& row) {
+        const std::vector<Stretch> dead = dead_stretches(at, known, si, happens);
+        std::string sentence = dead.empty() ? std::string() : sentence_of_dead(dead, at, known, si);
+        for (const Stretch& stretch : dead) {
+            for (std::size_t k = stretch.first; k < stretch.first + stretch.length; ++k) {
+                value[row(k)] = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+        return sentence;
+    };
+    if (std::ranges::all_of(value, [](double v) { return std::isfinite(v); })) {
+        return remove(time, value, [](std::size_t k) { return k; });
+    }
     std::vector<double> known_time;
     std::vector<double> known;
     std::vector<std::size_t> index;
@@ -212,16 +225,7 @@ std::string remove_dead(const std::vector<double>& time, std::vector<double>& va
             index.push_back(i);
         }
     }
-    const std::vector<Stretch> dead = dead_stretches(known_time, known, si, happens);
-    if (dead.empty()) {
-        return {};
-    }
-    for (const Stretch& stretch : dead) {
-        for (std::size_t k = stretch.first; k < stretch.first + stretch.length; ++k) {
-            value[index[k]] = std::numeric_limits<double>::quiet_NaN();
-        }
-    }
-    return sentence_of_dead(dead, known_time, known, si);
+    return remove(known_time, known, [&](std::size_t k) { return index[k]; });
 }
 
 }  // namespace tiretherm::input

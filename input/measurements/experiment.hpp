@@ -44,8 +44,8 @@ enum class ColumnKind : std::uint8_t {
 /// A column of the file that the model does not use.
 struct UnusedSignal {
     std::string name;
-    std::string unit;           ///< as the file writes it
-    std::vector<double> value;  ///< [n_times] in that unit; NaN where it is missing
+    std::string unit;             ///< as the file writes it
+    solver::SharedSamples value;  ///< [n_times] in that unit; NaN where it is missing
     ColumnKind kind = ColumnKind::drive;
     std::string reason{};      ///< why it is of this kind or is left out, the rest of a sentence about it; may be empty
     bool may_be_cause = true;  ///< a diagnosis tries it: a drive, unless [diagnose] says otherwise

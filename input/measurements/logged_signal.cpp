@@ -50,7 +50,11 @@ double pace_of(const std::vector<double>& time, const std::vector<double>& value
 /// A channel that was recorded more slowly than others has a value in every second or tenth line alone: missing is what its
 /// own pace lacks. Of lines without a value at most as many are missing as there are.
 Missing find_missing(const std::vector<double>& time, const std::vector<double>& value) {
-    Missing missing;
+    Missing missing{.expected = value.size()};
+    if (std::ranges::none_of(value, [](double v) { return std::isnan(v); })) {
+        return missing;
+    }
+    missing.expected = 0;
     const double pace = pace_of(time, value);
     double known = time.front();
     std::size_t empty = 0;  // lines without a value since the last one with it
@@ -96,6 +100,8 @@ const UserColumn* find_column(const std::vector<UserColumn>& columns, std::strin
 
 solver::SignalHistory known_samples(const std::vector<double>& time, const std::vector<double>& value) {
     solver::SignalHistory known;
+    known.time.reserve(time.size());
+    known.value.reserve(time.size());
     for (std::size_t k = 0; k < time.size(); ++k) {
         if (!std::isnan(value[k])) {
             known.time.push_back(time[k]);
@@ -105,6 +111,9 @@ solver::SignalHistory known_samples(const std::vector<double>& time, const std::
     return known;
 }
 
+namespace {
+
+/// A signal of which each value counts until the next sample: a jump there, as two points at one time.
 solver::SignalHistory held(const solver::SignalHistory& samples) {
     solver::SignalHistory steps;
     for (std::size_t i = 0; i < samples.time.size(); ++i) {
@@ -118,6 +127,7 @@ solver::SignalHistory held(const solver::SignalHistory& samples) {
     return steps;
 }
 
+/// Reports gaps in a signal as an error, or as a warning. @returns whether it is known well enough
 bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
                 const GapRemedy& remedy, InputErrors& errors) {
     if (std::optional<ErrorText> error = gap_error(name, time, value)) {
@@ -133,6 +143,21 @@ bool judge_gaps(const std::string& name, const std::vector<double>& time, const 
                                 name, missing.samples, missing.expected, missing.longest, missing.from));
     }
     return true;
+}
+
+}  // namespace
+
+std::optional<DrivingSamples> driving_samples(DrivingColumn column, const GapRemedy& remedy, InputErrors& errors) {
+    if (!judge_gaps(column.name, column.time, column.value, remedy, errors)) {
+        return std::nullopt;
+    }
+    const bool is_whole = std::ranges::none_of(column.value, [](double v) { return std::isnan(v); });
+    if (is_whole && !column.holds && column.before.times == 0) {
+        return DrivingSamples{column.time, std::move(column.value)};
+    }
+    solver::SignalHistory known = column.before.before(known_samples(column.time, column.value));
+    known = column.holds ? held(known) : std::move(known);
+    return DrivingSamples{std::move(known.time), std::move(known.value)};
 }
 
 bool too_long_a_gap(double gap, double length) { return gap > longest_gap && gap > longest_share * length; }

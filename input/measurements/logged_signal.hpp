@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "input/laps/repeated_lap.hpp"
 #include "input/text/input_error.hpp"
+#include "solver/shared_samples.hpp"
 #include "solver/user_effect.hpp"
 
 namespace tiretherm::input {
@@ -37,9 +39,6 @@ constexpr double short_gap = 1.0;
 /// The samples that have a value. @param time [n] s  @param value [n], NaN where it is missing
 [[nodiscard]] solver::SignalHistory known_samples(const std::vector<double>& time, const std::vector<double>& value);
 
-/// A signal of which each value counts until the next sample: a jump there, as two points at one time.
-[[nodiscard]] solver::SignalHistory held(const solver::SignalHistory& samples);
-
 /// Why a signal with these gaps is not known well enough to drive a run; nothing where it is.
 /// @param time [n] s  @param value [n], NaN where it is missing
 /// @returns with the remedy of a run that can be split; without one where nothing is known
@@ -53,8 +52,21 @@ struct GapRemedy {
     bool can_split = false;  ///< a part of the file may be left out
 };
 
-/// Reports gaps in a signal as an error, or as a warning. @returns whether it is known well enough
-bool judge_gaps(const std::string& name, const std::vector<double>& time, const std::vector<double>& value,
-                const GapRemedy& remedy, InputErrors& errors);
+/// A column that drives something.
+struct DrivingColumn {
+    const std::string& name;
+    solver::SharedSamples time;  ///< s
+    std::vector<double> value;   ///< [time] SI, NaN where it is missing
+    bool holds = false;          ///< each value counts until the next sample
+    RepeatedLap before{};        ///< that is driven before
+};
+/// How it drives: a missing sample is left out, so that the signal goes straight between its neighbours.
+struct DrivingSamples {
+    solver::SharedSamples time;  ///< s; that of the column where nothing is left out
+    solver::SharedSamples value;
+};
+/// Gaps are an error, or a warning. @returns nothing after an error: too much is missing
+[[nodiscard]] std::optional<DrivingSamples> driving_samples(DrivingColumn column, const GapRemedy& remedy,
+                                                            InputErrors& errors);
 
 }  // namespace tiretherm::input

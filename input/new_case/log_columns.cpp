@@ -16,6 +16,8 @@
 #include "input/loggers/car_columns.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/measurements/dead_stretches.hpp"
+#include "input/measurements/logged_signal.hpp"
+#include "input/new_case/acceleration_axes.hpp"
 #include "input/new_case/column_classifier.hpp"
 #include "input/new_case/rig_columns.hpp"
 #include "input/text/suggestions.hpp"
@@ -27,17 +29,6 @@
 namespace tiretherm::input {
 
 namespace {
-
-void drop(LogColumn& column, std::string reason) {
-    column.reason = std::move(reason);
-    column.is_dropped = true;
-    column.must_ignore = column.heading.name == column.name;
-    column.suggestion = column.name;
-    column.suggested_unit = column.unit;
-    column.unit.clear();
-    column.name.clear();
-    column.is_input = column.is_sensor = false;
-}
 
 /// Reads the used columns. @returns false after an error
 bool read_values(DataFile& file, const std::vector<ColumnMeaning>& meanings, Log& log, InputErrors& errors) {
@@ -73,10 +64,10 @@ void drop_gaps(Log& log) {
     for (LogColumn& column : log.columns) {
         if (column.is_input) {
             if (const auto error = gap_error(column.name, log.time, column.value)) {
-                drop(column, error->what);
+                column.drop(error->what);
             }
         } else if (column.is_sensor && !column.first_value()) {
-            drop(column, fmt::format("{} has no value in the file", column.name));
+            column.drop(fmt::format("{} has no value in the file", column.name));
         }
     }
 }
@@ -89,7 +80,7 @@ void choose_use(Log& log) {
     }
     for (LogColumn& column : log.columns) {
         if (!column.corner.empty() && column.is_used()) {
-            drop(column, "nothing is measured on the tires that it could be compared with");
+            column.drop("nothing is measured on the tires that it could be compared with");
         }
     }
     log.use = std::ranges::any_of(log.columns, &LogColumn::is_input) ? LogUse::drive : LogUse::nothing;
@@ -99,6 +90,17 @@ void choose_use(Log& log) {
 
 std::string_view text_of_other_use(std::string_view use) {
     return use == "laps" ? "counts the laps" : "tells the turns of the car";
+}
+
+void LogColumn::drop(std::string why) {
+    reason = std::move(why);
+    is_dropped = true;
+    must_ignore = heading.name == name;
+    suggestion = name;
+    suggested_unit = unit;
+    unit.clear();
+    name.clear();
+    is_input = is_sensor = false;
 }
 
 std::string LogColumn::unit_remark() const {
@@ -215,6 +217,10 @@ void report_wrong_units(const Log& log, const std::vector<ColumnMeaning>& meanin
 /// What the log says of the car itself.
 VehicleLog log_of_car(const Log& log, const DataFile& file, const InputErrors& errors) {
     VehicleLog of_car;
+    of_car.course = course_over_ground(file, log.time, errors);
+    if (!log.is_car && of_car.course.course.time.empty()) {
+        return of_car;
+    }
     const auto history = [&](std::string_view name) {
         const LogColumn* column = log.find(name);
         return column == nullptr ? solver::SignalHistory{} : known_samples(log.time, column->value);
@@ -223,7 +229,7 @@ VehicleLog log_of_car(const Log& log, const DataFile& file, const InputErrors& e
     for (const VehicleSignal& signal : vehicle_signals()) {
         of_car.*member_of(signal.name) = history(signal.name);
     }
-    of_car.course = where_it_drives(course_over_ground(file, log.time, errors), of_car.speed);
+    of_car.course = where_it_drives(std::move(of_car.course), of_car.speed);
     return of_car;
 }
 
@@ -262,10 +268,10 @@ void remove_dead_samples(Log& log, const std::vector<ColumnMeaning>& meanings) {
 void drop_signals_of_the_car(Log& log) {
     for (LogColumn& column : log.columns) {
         if (log.is_car && !log.has_motion() && is_vehicle_signal(column.name)) {
-            drop(column,
-                 "of the car, and the log has no lateral acceleration, yaw rate, steering or GPS heading that would "
-                 "tell its "
-                 "turns");
+            column.drop(
+                "of the car, and the log has no lateral acceleration, yaw rate, steering or GPS heading that would "
+                "tell its "
+                "turns");
         }
     }
 }
@@ -329,6 +335,7 @@ std::optional<Log> read_log_without(const std::map<int, std::string>& dead, cons
         found.insert(dead.begin(), dead.end());
         return read_log_without(found, path, mesh, units, errors);
     }
+    settle_axes(log, of_car);
     log.has_course = !of_car.course.course.time.empty();
     turn_signs(log);
     drop_gaps(log);
@@ -360,7 +367,7 @@ std::optional<Log> read_log(const std::filesystem::path& path, const MeshTemplat
 void leave_out(Log& log, const std::string& name, const std::string& reason) {
     for (LogColumn& column : log.columns) {
         if (column.name == name) {
-            drop(column, reason);
+            column.drop(reason);
         }
     }
     drop_signals_of_the_car(log);

@@ -35,6 +35,8 @@ struct LogColumn {
     std::vector<double> value{};   ///< [n_samples] SI, NaN where missing; of a used column
 
     [[nodiscard]] bool is_used() const { return !name.empty(); }
+    /// Takes it for nothing any more; it stays a suggestion. @param why a sentence
+    void drop(std::string why);
     /// "given", "assumed", "assumed: the rows are 50 apart": of `unit`, for the case's comment.
     [[nodiscard]] std::string unit_remark() const;
     /// "surface_temperature of FL".

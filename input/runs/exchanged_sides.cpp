@@ -24,8 +24,11 @@ constexpr std::size_t longest_grid = 2000;                   ///< samples
 constexpr std::array memories{2.0, 6.0, 20.0, 60.0, 200.0};  ///< s, in which a tire forgets
 constexpr double rolling =
     0.012;  ///< heat of deformation over load and way: rolling resistance of a passenger car's tire
-constexpr double clearly = 0.5;        ///< correlation
-constexpr double beyond_chance = 4.0;  ///< standard deviations of its transform by Fisher
+constexpr double clearly = 0.5;   ///< correlation
+constexpr double repeated = 0.8;  ///< correlation with oneself a turn earlier, and with each other
+constexpr std::size_t fewest_turns = 4;
+constexpr double longest_delay = 10.0;  ///< s, of a logger's channel
+constexpr double beyond_chance = 4.0;   ///< standard deviations of its transform by Fisher
 
 /// An axle of a recording.
 struct AxleRuns {
@@ -117,19 +120,48 @@ Values without_trend(Values values) {
     return detrended({.value = std::move(values), .first = {0, n}}).value;
 }
 
+/// The correlation of a course with itself or another, so many samples earlier.
+double correlation_after(const Values& later, const Values& earlier, std::size_t lag) {
+    const auto n = static_cast<std::ptrdiff_t>(later.size() - lag);
+    return correlation({earlier.begin(), earlier.begin() + n}, {later.end() - n, later.end()});
+}
+
 /// How many samples of two courses count, beside their memories (Bartlett 1935): each lag by which both go with themselves
 /// takes some away.
 double independent(const Values& a, const Values& b) {
     const auto n = static_cast<double>(a.size());
     double sum = 1.0;
     for (std::size_t lag = 1; lag <= a.size() / 4; ++lag) {
-        const auto earlier = static_cast<std::ptrdiff_t>(a.size() - lag);
-        const auto later = static_cast<std::ptrdiff_t>(lag);
-        const double of_a = correlation({a.begin(), a.begin() + earlier}, {a.begin() + later, a.end()});
-        const double of_b = correlation({b.begin(), b.begin() + earlier}, {b.begin() + later, b.end()});
-        sum += 2.0 * (1.0 - static_cast<double>(lag) / n) * std::max(0.0, of_a * of_b);
+        const double both = correlation_after(a, a, lag) * correlation_after(b, b, lag);
+        sum += 2.0 * (1.0 - static_cast<double>(lag) / n) * std::max(0.0, both);
     }
     return n / sum;
+}
+
+/// Whether both go through the same again and again, as on a skidpad or a machine. However often they do, a single turn counts for
+/// few samples, but it is no chance that they go together in each of them.
+bool repeat_together(const Values& a, const Values& b) {
+    const std::size_t longest = a.size() / fewest_turns;
+    bool has_changed = false;
+    for (std::size_t lag = 1; lag <= longest; ++lag) {
+        const double both = std::min(correlation_after(a, a, lag), correlation_after(b, b, lag));
+        has_changed = has_changed || both < 1.0 - clearly;
+        if (has_changed && both > repeated) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether readings that come late would go with what is expected: of one swing nobody can tell half of it from its opposite.
+bool may_be_late(const Values& measured, const Values& expected, double step, double sign) {
+    const auto most = std::min(static_cast<std::size_t>(longest_delay / step), measured.size() / fewest_turns);
+    for (std::size_t lag = 1; lag <= most; ++lag) {
+        if (-sign * correlation_after(measured, expected, lag) > clearly) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// The correlation of an axle where it is beyond chance; 0 where it is not.
@@ -150,8 +182,11 @@ double verdict_of(const AxleRuns& axle) {
             its = std::move(expected);
         }
     }
-    if (std::abs(best) < clearly) {
+    if (std::abs(best) < clearly || may_be_late(measured, its, grid[1] - grid[0], best < 0.0 ? -1.0 : 1.0)) {
         return 0.0;
+    }
+    if (std::abs(best) > repeated && repeat_together(measured, its)) {
+        return best;
     }
     const double freedom = std::max(0.0, independent(measured, its) - 3.0);
     return std::atanh(std::min(std::abs(best), 0.9999)) * std::sqrt(freedom) > beyond_chance ? best : 0.0;

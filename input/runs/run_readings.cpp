@@ -85,23 +85,26 @@ void read_series(const RunFile& file, const solver::Problem& problem, InputError
     }
 }
 
-void read_unused(const RunFile& file, const solver::Settings& settings, InputErrors& errors, MeasuredRun& run) {
-    std::vector<ColumnRequest> requests;
-    for (const int column : file.columns.unused) {
-        requests.push_back({.column = column,
-                            .name = file.file.heads()[static_cast<std::size_t>(column)].heading.name,
-                            .spec = {.unit = "1"},
-                            .purpose = Purpose::unused});
-    }
-    std::vector<std::vector<double>> read = file.file.read(requests, errors);
-    if (file.time.empty()) {
-        return;
-    }
+void read_unused(const RunFile& file, const solver::Settings& settings, const MeasuredRun* beside, InputErrors& errors,
+                 MeasuredRun& run) {
+    const bool is_same = beside != nullptr && beside->file == run.file && beside->time == run.time;
     const Samples samples(file, settings);
-    for (std::size_t i = 0; i < read.size(); ++i) {
-        std::vector<double> value = samples.of(read[i]);
-        if (std::any_of(value.begin(), value.end(), [](double v) { return std::isfinite(v); })) {
-            const Heading& heading = file.file.heads()[static_cast<std::size_t>(requests[i].column)].heading;
+    for (const int column : file.columns.unused) {
+        const Heading& heading = file.file.heads()[static_cast<std::size_t>(column)].heading;
+        if (is_same) {
+            const auto known = std::ranges::find(beside->unused, heading.name, &UnusedSignal::name);
+            if (known != beside->unused.end() && known->unit == heading.unit.value_or("")) {
+                run.unused.push_back(*known);
+                continue;
+            }
+        }
+        const std::vector<std::vector<double>> read = file.file.read(
+            {{.column = column, .name = heading.name, .spec = {.unit = "1"}, .purpose = Purpose::unused}}, errors);
+        if (file.time.empty() || read.empty()) {
+            return;
+        }
+        std::vector<double> value = samples.of(read.front());
+        if (std::ranges::any_of(value, [](double v) { return std::isfinite(v); })) {
             run.unused.push_back({.name = heading.name, .unit = heading.unit.value_or(""), .value = std::move(value)});
         }
     }

@@ -15,7 +15,9 @@ namespace tiretherm::input {
 void read_series(const RunFile& file, const solver::Problem& problem, InputErrors& errors, MeasuredRun& run);
 
 /// Columns that the model does not use, where they are numbers.
-void read_unused(const RunFile& file, const solver::Settings& settings, InputErrors& errors, MeasuredRun& run);
+/// @param beside the run of another corner, whose columns are the same where its samples are; null: none
+void read_unused(const RunFile& file, const solver::Settings& settings, const MeasuredRun* beside, InputErrors& errors,
+                 MeasuredRun& run);
 
 /// Warns where gas or rim start far from what their sensor reads first, because [initial] does not say where.
 /// @param document the case with the run's tables over it

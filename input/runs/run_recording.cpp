@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Collects the columns that the model uses, inputs and sensors, into the recording that the data checks look at.
 
-#include <cmath>
 #include <variant>
 
 #include "input/loggers/logger_units.hpp"
+#include "input/measurements/logged_signal.hpp"
 #include "input/runs/run_readings.hpp"
 
 namespace tiretherm::input {
@@ -42,7 +42,7 @@ Recording recording_of(const RunFile& file, const RunInputs& inputs, const solve
             recorded.is_input = true;
             for (const MeasuredInput& input : inputs.inputs) {
                 if (input.signal == column.input) {
-                    recorded.time = input.time == recording.time ? recording.time : SampleTimes(input.time);
+                    recorded.time = input.time == recording.time ? recording.time : input.time;
                     recorded.value = input.value;
                 }
             }
@@ -57,14 +57,10 @@ Recording recording_of(const RunFile& file, const RunInputs& inputs, const solve
             }
             RecordedColumn recorded = recorded_column(file, column, solver::unit_of(channel.quantity));
             recorded.series = s;
-            std::vector<double> time;
-            for (std::size_t i = 0; i < run.time.size(); ++i) {
-                if (!std::isnan(series.value[i])) {
-                    time.push_back(run.time[i]);
-                    recorded.value.push_back(series.value[i]);
-                }
-            }
-            recorded.time = time.size() == recording.time.size() ? recording.time : SampleTimes(std::move(time));
+            solver::SignalHistory known = known_samples(run.time, series.value);
+            recorded.time = known.time.size() == recording.time.size() ? recording.time
+                                                                       : solver::SharedSamples(std::move(known.time));
+            recorded.value = std::move(known.value);
             recording.columns.push_back(std::move(recorded));
         }
     }

@@ -139,7 +139,8 @@ RunInputs inputs_of(const RunBeingRead& reading, const RunFile* file, bool has_c
 }
 
 /// What the file's columns say beside the inputs: sensors, unused columns, laps; and what is suspicious about them.
-void read_columns(RunFile& file, bool has_car, RunBeingRead& reading, InputErrors& errors,
+/// @param beside another corner of the run; null: none
+void read_columns(RunFile& file, bool has_car, const MeasuredRun* beside, RunBeingRead& reading, InputErrors& errors,
                   std::vector<InputWarning>& of_data) {
     const solver::Problem& problem = reading.tables.problem;
     MeasuredRun& run = reading.run;
@@ -150,7 +151,7 @@ void read_columns(RunFile& file, bool has_car, RunBeingRead& reading, InputError
             std::erase(file.columns.unused, column.column);
         }
     }
-    read_unused(file, problem.settings, errors, run);
+    read_unused(file, problem.settings, beside, errors, run);
     run.repeated = file.repeated;
     const double from = problem.settings.start + run.repeated.lead();
     std::ranges::copy_if(file.laps.laps, std::back_inserter(run.laps),
@@ -237,7 +238,8 @@ void read_run(RunBeingRead& reading, const RunsInCommon& common, std::shared_ptr
     run.file = table.file ? table.file->generic_string() : "";
     if (file != nullptr) {
         std::ranges::move(columns_of_one_tire(table, *file), std::back_inserter(read.of_one_tire));
-        read_columns(*file, common.has_car(), reading, errors, read.of_data);
+        const MeasuredRun* const beside = read.runs.size() > 1 ? &read.runs[read.runs.size() - 2]->run : nullptr;
+        read_columns(*file, common.has_car(), beside, reading, errors, read.of_data);
     }
     read_numbers(reading.tables.problem, reading.document, table, errors, run);
     read_frames(table, inputs, reading.tables.cameras, reading.tables.problem, errors, run, read.of_data);

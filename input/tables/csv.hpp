@@ -24,9 +24,9 @@ struct CsvLine {
 /// separated by commas, semicolons or tabs. Lines about the recording may stand above the headings. A byte order mark,
 /// carriage returns, quotes round a field, blank lines and lines of comment (# or //) are accepted. Where semicolons or tabs
 /// separate, numbers may have decimal commas; a file has these or points. Files of AiM, MoTeC, RaceChrono and VBOX are known
-/// by their first lines.
+/// by their first lines. A long text is let go.
 /// @param errors of this file alone  @returns nothing after an error
-[[nodiscard]] std::optional<LogTable> read_csv(const std::shared_ptr<const std::string>& text, InputErrors& errors);
+[[nodiscard]] std::optional<LogTable> read_csv(const std::shared_ptr<const SourceText>& source, InputErrors& errors);
 
 /// A number with a decimal comma, as the same with a point: "-1,5e3"; every other text as it is. @param room of the result
 [[nodiscard]] std::string_view with_point(std::string_view field, std::string& room);

@@ -71,6 +71,28 @@ private:
     std::string room_;
 };
 
+/// Whether fields in quotes have decimal commas although commas separate the columns: "12,5". Three digits may stand behind a mark
+/// between thousands as well.
+bool has_quoted_commas(std::string_view body) {
+    constexpr std::size_t looked_at = 100'000;  // bytes
+    body = body.substr(0, looked_at);
+    std::string room;
+    std::vector<std::string_view> fields;
+    while (const auto line = body.find('"') == std::string_view::npos ? std::nullopt : next_line(body)) {
+        split_fields(*line, ',', fields);
+        const bool has_one = std::ranges::any_of(fields, [&](std::string_view field) {
+            const std::size_t comma = field.find(',');
+            return comma != std::string_view::npos && with_point(field, room).data() != field.data() &&
+                   field.find_first_not_of("0123456789", comma + 1) == std::string_view::npos &&
+                   field.size() - comma - 1 != 3;
+        });
+        if (has_one) {
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 bool next_row(std::string_view& rest, std::string_view names, CsvLine& line) {
@@ -89,13 +111,16 @@ bool CsvRows::is_row(const std::vector<std::string_view>& fields) const {
 
 void CsvRows::parse(std::vector<TableColumn>& columns, InputErrors& errors) {
     n_columns_ = columns.size();
-    const auto lines = static_cast<std::size_t>(std::ranges::count(body_, '\n')) + 1;
+    const std::shared_ptr<const std::string> text = source_->get();
+    const std::string_view body = std::string_view(*text).substr(body_);
+    const auto lines = static_cast<std::size_t>(std::ranges::count(body, '\n')) + 1;
+    has_commas_ = separator_ != ',' || has_quoted_commas(body);
     std::vector<ColumnParser> parsers;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        parsers.emplace_back(columns[i], i, separator_ != ',').reserve(std::min(lines, body_.size() / n_columns_ + 1));
+        parsers.emplace_back(columns[i], i, has_commas_).reserve(std::min(lines, body.size() / n_columns_ + 1));
     }
     std::vector<Ragged> ragged;
-    std::string_view rest = body_;
+    std::string_view rest = body;
     std::vector<std::string_view> fields;
     for (CsvLine line{{}, first_line_ - 1}; next_row(rest, names_, line);) {
         split_fields(line.text, separator_, fields);
@@ -104,7 +129,7 @@ void CsvRows::parse(std::vector<TableColumn>& columns, InputErrors& errors) {
             continue;
         }
         if (n_rows_ % marked_rows == 0) {
-            marked_.push_back(line);
+            marked_.push_back({static_cast<std::size_t>(line.text.data() - text->data()), line.number});
         }
         for (ColumnParser& parser : parsers) {
             parser.take(fields, line);
@@ -114,16 +139,16 @@ void CsvRows::parse(std::vector<TableColumn>& columns, InputErrors& errors) {
     const auto is_time = [](const TableColumn& column) {
         return column.head.is_clock || column.head.heading.name == "time";
     };
-    report(ragged, std::ranges::any_of(columns, is_time), errors);
+    report(ragged, text->data() + text->size(), std::ranges::any_of(columns, is_time), errors);
 }
 
-void CsvRows::report(const std::vector<Ragged>& ragged, bool is_log, InputErrors& errors) const {
+void CsvRows::report(const std::vector<Ragged>& ragged, const char* end, bool is_log, InputErrors& errors) const {
     if (ragged.empty() && n_rows_ == 0) {
         errors.add({.file = 0}, "the file has headings but no numbers");
     }
     ErrorLimiter limiter(errors);
     for (const auto& [line, fields] : ragged) {
-        const bool is_last = trim({line.text.end(), body_.end()}).empty();
+        const bool is_last = trim({line.text.data() + line.text.size(), end}).empty();
         if (fields < n_columns_ && is_last && n_rows_ > 0 && is_log) {
             errors.warn(place_in(line, line.text),
                         fmt::format("the last line has {} of {} values: the logger stopped in it, and it is left out",
@@ -143,10 +168,10 @@ void CsvRows::report(const std::vector<Ragged>& ragged, bool is_log, InputErrors
     limiter.close("the number of values");
 }
 
-CsvLine CsvRows::line_of(std::size_t row) const {
-    CsvLine line = marked_[row / marked_rows];
-    std::string_view rest = body_.substr(static_cast<std::size_t>(line.text.begin() - body_.begin()));
-    static_cast<void>(next_line(rest));
+CsvLine CsvRows::line_of(std::size_t row, std::string_view text) const {
+    const Mark& mark = marked_[row / marked_rows];
+    std::string_view rest = text.substr(mark.begin);
+    CsvLine line{next_line(rest).value_or(""), mark.number};
     std::vector<std::string_view> fields;
     for (std::size_t left = row % marked_rows; left > 0 && next_row(rest, names_, line);) {
         split_fields(line.text, separator_, fields);
@@ -156,7 +181,11 @@ CsvLine CsvRows::line_of(std::size_t row) const {
 }
 
 FieldLocation CsvRows::where(std::size_t row, int column) const {
-    const CsvLine line = line_of(row);
+    const std::shared_ptr<const std::string> text = source_->get();
+    if (text->empty()) {
+        return {.place = {.file = 0}};
+    }
+    const CsvLine line = line_of(row, *text);
     if (column < 0) {
         return {.place = place_in(line, line.text)};
     }
@@ -164,7 +193,7 @@ FieldLocation CsvRows::where(std::size_t row, int column) const {
     split_fields(line.text, separator_, fields);
     const std::string_view field = fields[static_cast<std::size_t>(column)];
     std::string room;
-    return {.place = place_in(line, field), .text = std::string(separator_ == ',' ? field : with_point(field, room))};
+    return {.place = place_in(line, field), .text = std::string(has_commas_ ? with_point(field, room) : field)};
 }
 
 }  // namespace tiretherm::input

@@ -2,12 +2,14 @@
 // The rows of a text of numbers: which lines they are, and the numbers in them.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "input/tables/csv.hpp"
+#include "input/text/source_text.hpp"
 
 namespace tiretherm::input {
 
@@ -18,17 +20,35 @@ namespace tiretherm::input {
 /// The lines below the headings that have a field for each column.
 class CsvRows {
 public:
-    /// @param text of the file, in which the other texts stand  @param body the lines after the headings
+    /// @param source the file's text  @param body of it the lines after the headings
     /// @param first_line number of the first of them  @param names the line of the headings
-    CsvRows(std::shared_ptr<const std::string> text, std::string_view body, int first_line, char separator,
-            std::string_view names)
-        : text_(std::move(text)), body_(body), names_(names), first_line_(first_line), separator_(separator) {}
+    CsvRows(std::shared_ptr<const SourceText> source, std::string_view body, int first_line, char separator,
+            std::string names)
+        : source_(std::move(source)),
+          body_(static_cast<std::size_t>(body.data() - source_->get()->data())),
+          names_(std::move(names)),
+          first_line_(first_line),
+          separator_(separator) {}
 
     /// Parses the columns in one pass over the text.
     /// @param columns with their heads  @param errors for lines with another number of fields, which are no rows
     void parse(std::vector<TableColumn>& columns, InputErrors& errors);
 
-    /// Where a field of a row stands, and its text; of column -1 the row.
+    /// Calls `take` with the line and the fields of each row.
+    template <typename Take>
+    void each(const Take& take) const {
+        const std::shared_ptr<const std::string> text = source_->get();
+        std::string_view rest = std::string_view(*text).substr(std::min(body_, text->size()));
+        std::vector<std::string_view> fields;
+        for (CsvLine line{{}, first_line_ - 1}; next_row(rest, names_, line);) {
+            split_fields(line.text, separator_, fields);
+            if (is_row(fields)) {
+                take(line, fields);
+            }
+        }
+    }
+
+    /// Where a field of a row stands, and its text; of column -1 the row. Nowhere in a file that has been changed meanwhile.
     [[nodiscard]] FieldLocation where(std::size_t row, int column) const;
 
 private:
@@ -38,17 +58,25 @@ private:
         std::size_t fields = 0;
     };
     [[nodiscard]] bool is_row(const std::vector<std::string_view>& fields) const;
-    void report(const std::vector<Ragged>& ragged, bool is_log, InputErrors& errors) const;
-    [[nodiscard]] CsvLine line_of(std::size_t row) const;
+    /// @param end of the text
+    void report(const std::vector<Ragged>& ragged, const char* end, bool is_log, InputErrors& errors) const;
+    /// Where a line that was marked begins, from the start of the text on.
+    struct Mark {
+        std::size_t begin = 0;
+        int number = 0;
+    };
+    /// @param text of the file
+    [[nodiscard]] CsvLine line_of(std::size_t row, std::string_view text) const;
 
-    std::shared_ptr<const std::string> text_;
-    std::string_view body_;
-    std::string_view names_;
+    std::shared_ptr<const SourceText> source_;
+    std::size_t body_;  ///< where it begins in the text
+    std::string names_;
     int first_line_ = 0;
     char separator_ = ',';
+    bool has_commas_ = false;  ///< numbers may have decimal commas
     std::size_t n_columns_ = 0;
     std::size_t n_rows_ = 0;
-    std::vector<CsvLine> marked_;  ///< every so many rows
+    std::vector<Mark> marked_;  ///< every so many rows
 };
 
 }  // namespace tiretherm::input

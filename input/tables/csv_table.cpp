@@ -10,10 +10,14 @@
 #include "input/loggers/csv_layout.hpp"
 #include "input/loggers/heading_names.hpp"
 #include "input/tables/csv_rows.hpp"
+#include "input/tables/long_table.hpp"
+#include "input/text/source_text.hpp"
 
 namespace tiretherm::input {
 
 namespace {
+
+constexpr std::size_t longest_kept = 4'000'000;  // bytes
 
 /// The headings of a text, before its rows are parsed.
 class CsvHeadings {
@@ -149,7 +153,8 @@ void find_clocks(std::vector<ColumnHead>& heads, const CsvLayout& layout) {
 
 }  // namespace
 
-std::optional<LogTable> read_csv(const std::shared_ptr<const std::string>& text, InputErrors& errors) {
+std::optional<LogTable> read_csv(const std::shared_ptr<const SourceText>& source, InputErrors& errors) {
+    const std::shared_ptr<const std::string> text = source->get();
     std::string_view content = *text;
     if (content.starts_with("\xEF\xBB\xBF")) {
         content.remove_prefix(3);
@@ -164,17 +169,21 @@ std::optional<LogTable> read_csv(const std::shared_ptr<const std::string>& text,
         return std::nullopt;
     }
     find_clocks(heads, layout);
-    LogTable table{.description = std::move(layout.description), .text = text, .defects = errors};
+    LogTable table{.description = std::move(layout.description), .text = source, .defects = errors};
     for (ColumnHead& head : heads) {
         table.columns.push_back({.head = std::move(head)});
     }
     const std::string_view above =
         content.substr(0, static_cast<std::size_t>(layout.lines.body.data() - content.data()));
     const auto first_line = static_cast<int>(std::ranges::count(above, '\n')) + 1;
-    const auto rows =
-        std::make_shared<CsvRows>(text, layout.lines.body, first_line, layout.separator, layout.lines.names.text);
+    const auto rows = std::make_shared<CsvRows>(source, layout.lines.body, first_line, layout.separator,
+                                                std::string(layout.lines.names.text));
     rows->parse(table.columns, table.defects);
     table.where = [rows](std::size_t row, int column) { return rows->where(row, column); };
+    fold_long_table(table, rows);
+    if (text->size() > longest_kept) {
+        source->let_go();
+    }
     return table;
 }
 

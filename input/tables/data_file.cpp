@@ -19,8 +19,10 @@
 #include "input/loggers/logger_units.hpp"
 #include "input/tables/channel_rows.hpp"
 #include "input/tables/csv.hpp"
+#include "input/tables/dead_codes.hpp"
 #include "input/tables/hdf5_datasets.hpp"
 #include "input/tables/probe_table.hpp"
+#include "input/text/source_text.hpp"
 #include "input/text/table_shelf.hpp"
 #include "input/toml/document.hpp"
 #include "input/toml/toml_text.hpp"
@@ -75,7 +77,7 @@ std::shared_ptr<const LogTable> read_table(const std::filesystem::path& path, co
         if (!file) {
             return nullptr;
         }
-        const std::shared_ptr<const std::string> text = errors.text(file->number);
+        const std::shared_ptr<const SourceText> text = errors.text(file->number);
         table = find_probe_table(text);
         table = table ? std::move(table) : read_csv(text, found);
         number = file->number;
@@ -274,6 +276,10 @@ std::vector<double> DataFile::read_column(const ColumnRequest& request, InputErr
     ColumnReader reader(heads_[static_cast<std::size_t>(request.column)], request, errors);
     std::vector<double> room;
     const std::vector<double>& numbers = numbers_of(request, room, errors);
+    const DeadCodes dead(numbers, heads_[static_cast<std::size_t>(request.column)], request);
+    if (!dead.sentence.empty()) {
+        errors.warn(heads_[static_cast<std::size_t>(request.column)].place, dead.sentence);
+    }
     reader.values.reserve(numbers.size());
     auto text = column.text.begin();
     for (std::size_t row = 0; row < numbers.size(); ++row) {
@@ -281,7 +287,8 @@ std::vector<double> DataFile::read_column(const ColumnRequest& request, InputErr
         text += is_unread ? 1 : 0;
         const bool is_no_day =
             row < column.stamp.size() && !std::isnan(column.stamp[row].seconds) && std::isnan(numbers[row]);
-        reader.take(numbers[row], !is_unread && !is_no_day, [&] { return spot(row, request.column, numbers[row]); });
+        const double written = dead.has(numbers[row]) ? std::nan("") : numbers[row];
+        reader.take(written, !is_unread && !is_no_day, [&] { return spot(row, request.column, written); });
     }
     reader.close();
     return std::move(reader.values);

@@ -45,10 +45,10 @@ struct LogTable {
     LogDescription description{};
     Units units = Units::in_headings;
     Moments moments = Moments::times;
-    std::vector<TableColumn> columns{};         ///< of channels with own clocks, the first is `time`, without numbers
-    std::shared_ptr<const std::string> text{};  ///< of a text file
-    InputErrors remarks{};                      ///< of whoever opens the file
-    InputErrors defects{};                      ///< of whoever reads a column
+    std::vector<TableColumn> columns{};        ///< of channels with own clocks, the first is `time`, without numbers
+    std::shared_ptr<const SourceText> text{};  ///< of a text file
+    InputErrors remarks{};                     ///< of whoever opens the file
+    InputErrors defects{};                     ///< of whoever reads a column
     /// Where a field stands; of column -1 the row. Not called for channels with own clocks.
     std::function<FieldLocation(std::size_t row, int column)> where{};
 

@@ -14,6 +14,7 @@
 #include "input/loggers/csv_layout.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/characters.hpp"
+#include "input/text/source_text.hpp"
 
 namespace tiretherm::input {
 
@@ -224,7 +225,8 @@ bool ProbeReader::read_probe(const Line& line) {
 
 }  // namespace
 
-std::optional<LogTable> find_probe_table(const std::shared_ptr<const std::string>& text) {
+std::optional<LogTable> find_probe_table(const std::shared_ptr<const SourceText>& source) {
+    const std::shared_ptr<const std::string> text = source->get();
     std::string_view rest = *text;
     if (rest.starts_with("\xEF\xBB\xBF")) {
         rest.remove_prefix(3);
@@ -237,7 +239,7 @@ std::optional<LogTable> find_probe_table(const std::shared_ptr<const std::string
     }
     std::optional<LogTable> table = reader.table();
     if (table) {
-        table->text = text;
+        table->text = source;
     }
     return table;
 }

@@ -20,6 +20,6 @@ namespace tiretherm::input {
 /// about the test above the headings. An empty field or a dash is no reading. The table's rows are the moments; its first column has
 /// them, and one follows for each probe.
 /// @returns nothing where a text is laid out in another way
-[[nodiscard]] std::optional<LogTable> find_probe_table(const std::shared_ptr<const std::string>& text);
+[[nodiscard]] std::optional<LogTable> find_probe_table(const std::shared_ptr<const SourceText>& source);
 
 }  // namespace tiretherm::input

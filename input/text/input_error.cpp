@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "input/text/characters.hpp"
+#include "input/text/source_text.hpp"
 #include "input/text/table_shelf.hpp"
 #include "input/text/word_lists.hpp"
 
@@ -125,12 +126,16 @@ std::vector<std::string> render(const std::vector<InputWarning>& warnings, std::
 InputErrors::InputErrors() : tables_(std::make_shared<TableShelf>()) {}
 
 int InputErrors::add_file(std::string shown, std::string text) {
-    files_.push_back({.shown = std::move(shown), .text = std::make_shared<const std::string>(std::move(text))});
+    return add_file(std::move(shown), std::make_shared<const SourceText>(std::move(text)));
+}
+
+int InputErrors::add_file(std::string shown, std::shared_ptr<const SourceText> text) {
+    files_.push_back({.shown = std::move(shown), .text = std::move(text)});
     return static_cast<int>(files_.size()) - 1;
 }
 
 int InputErrors::add_table(const std::string& shown, const LogTable& table,
-                           const std::shared_ptr<const std::string>& text) {
+                           const std::shared_ptr<const SourceText>& text) {
     auto known = std::ranges::find(files_, &table, &File::table);
     if (known == files_.end() && text) {
         known = std::ranges::find(files_, text, &File::text);
@@ -160,7 +165,7 @@ void InputErrors::take(const InputErrors& found, int number) {
 
 int InputErrors::find_file(std::string_view shown) const {
     const auto found =
-        std::ranges::find_if(files_, [&](const File& file) { return file.shown == shown && !file.text->empty(); });
+        std::ranges::find_if(files_, [&](const File& file) { return file.shown == shown && !file.text->is_empty(); });
     return found == files_.end() ? -1 : static_cast<int>(found - files_.begin());
 }
 
@@ -194,7 +199,8 @@ void InputErrors::warn(const SourceLocation& place, std::string what, std::strin
 std::string InputErrors::spell(const SourceLocation& place) const { return spelled(file(place.file), place.line); }
 
 std::string InputErrors::line_of(const SourceLocation& place) const {
-    const std::string& text = *files_[static_cast<std::size_t>(place.file)].text;
+    const std::shared_ptr<const std::string> whole = files_[static_cast<std::size_t>(place.file)].text->get();
+    const std::string& text = *whole;
     std::size_t start = 0;
     for (int line = 1; line < place.line; ++line) {
         start = text.find('\n', start);

@@ -12,6 +12,7 @@
 namespace tiretherm::input {
 
 struct LogTable;
+class SourceText;
 struct TableShelf;
 
 /// By what the program tells errors apart. A sentence is for the user; whoever must know which error it is asks for this.
@@ -71,11 +72,12 @@ public:
     InputErrors();
     /// @param shown path as the user would type it  @returns the file's number
     int add_file(std::string shown, std::string text);
+    int add_file(std::string shown, std::shared_ptr<const SourceText> text);
     /// The same of a file with a table, which it has once. @param text of the file; null: none
-    int add_table(const std::string& shown, const LogTable& table, const std::shared_ptr<const std::string>& text);
+    int add_table(const std::string& shown, const LogTable& table, const std::shared_ptr<const SourceText>& text);
     /// The number of a file that has been read with its text, -1 when it has not: it need not be read a second time.
     [[nodiscard]] int find_file(std::string_view shown) const;
-    [[nodiscard]] std::shared_ptr<const std::string> text(int number) const {
+    [[nodiscard]] const std::shared_ptr<const SourceText>& text(int number) const {
         return files_[static_cast<std::size_t>(number)].text;
     }
     /// The tables that have been read, for these errors, their copies and all that share them.
@@ -104,8 +106,8 @@ public:
 private:
     struct File {
         std::string shown;
-        std::shared_ptr<const std::string> text;  ///< copies of the errors share it
-        const LogTable* table = nullptr;          ///< kept by `tables`
+        std::shared_ptr<const SourceText> text;  ///< copies of the errors share it
+        const LogTable* table = nullptr;         ///< kept by `tables`
     };
     struct Found {
         SourceLocation place;

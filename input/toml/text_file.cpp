@@ -14,6 +14,7 @@
 #include "input/files/nearby_file.hpp"
 #include "input/files/regular_file.hpp"
 #include "input/text/encoding.hpp"
+#include "input/text/source_text.hpp"
 #include "input/toml/document.hpp"
 
 namespace tiretherm::input {
@@ -50,11 +51,27 @@ std::string neighbour(const std::filesystem::path& path, bool is_argument) {
     return fmt::format("did you mean `{}`?", tail.generic_string());
 }
 
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// What a file has, up to a little more than may be read.
+std::string bytes_of(std::FILE* file, const std::filesystem::path& path) {
+    std::string bytes;
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    bytes.reserve(unknown ? 0 : static_cast<std::size_t>(size));
+    std::string block(std::size_t{1} << 16U, '\0');
+    for (std::size_t n = 0;
+         bytes.size() <= largest_text && (n = std::fread(block.data(), 1, block.size(), file)) > 0;) {
+        bytes.append(block, 0, n);
+    }
+    return bytes;
+}
+
 std::optional<TextFile> read_whole(const std::filesystem::path& path, const SourceLocation& mentioned,
                                    InputErrors& errors, bool is_foreign) {
     const std::string shown = path.generic_string();
     if (const int number = errors.find_file(shown); number >= 0) {
-        return TextFile{number, *errors.text(number)};
+        return TextFile{number, *errors.text(number)->get()};
     }
     const auto refuse = [&](std::string what, std::string remedy) {
         refuse_file(path, mentioned, {std::move(what), std::move(remedy)}, errors);
@@ -63,23 +80,16 @@ std::optional<TextFile> read_whole(const std::filesystem::path& path, const Sour
     if (const ErrorText reason = not_readable(path, largest_text); !reason.what.empty()) {
         return refuse(reason.what, reason.remedy);
     }
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    const File file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) {
         const int reason = errno;
         return refuse(fmt::format("cannot be read: {}", std::system_category().message(reason)),
                       reason == ENOENT ? neighbour(path, mentioned.file < 0) : "");
     }
-    std::string bytes;
-    std::error_code unknown;
-    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
-    bytes.reserve(unknown ? 0 : static_cast<std::size_t>(size));
-    std::string block(std::size_t{1} << 16U, '\0');
-    for (std::size_t n = 0; (n = std::fread(block.data(), 1, block.size(), file.get())) > 0;) {
-        bytes.append(block, 0, n);
-        if (bytes.size() > largest_text) {  // it grows, or the system knows no size of it
-            const ErrorText reason = too_large(bytes.size(), largest_text);
-            return refuse(reason.what, reason.remedy);
-        }
+    std::string bytes = bytes_of(file.get(), path);
+    if (bytes.size() > largest_text) {  // it grows, or the system knows no size of it
+        const ErrorText reason = too_large(bytes.size(), largest_text);
+        return refuse(reason.what, reason.remedy);
     }
     if (std::ferror(file.get()) != 0) {
         return refuse(fmt::format("cannot be read: {}", std::system_category().message(errno)), "");
@@ -90,8 +100,13 @@ std::optional<TextFile> read_whole(const std::filesystem::path& path, const Sour
     if (const ErrorText reason = defect(bytes); !reason.what.empty()) {
         return refuse(reason.what, reason.remedy);
     }
-    const int number = errors.add_file(shown, std::move(bytes));
-    return TextFile{number, *errors.text(number)};
+    const auto again = [path, is_foreign] {
+        const File same(std::fopen(path.c_str(), "rb"), std::fclose);
+        std::string text = same ? bytes_of(same.get(), path) : std::string();
+        return is_foreign ? as_utf8(std::move(text)) : text;
+    };
+    const int number = errors.add_file(shown, std::make_shared<const SourceText>(std::move(bytes), again));
+    return TextFile{number, *errors.text(number)->get()};
 }
 
 }  // namespace

@@ -29,11 +29,11 @@ solver::SignalHistory history_of(const solver::InputSignals& signals, const phys
 
 solver::Series series_of(const physics::Signal& signal, double CornerInputs::*member, const MotionHistory& motion,
                          const CornerHistory& corner) {
-    solver::Series series{.signal = &signal, .time = motion.time, .value = {}, .logged = true};
-    for (const CornerInputs& inputs : corner.inputs) {
-        series.value.push_back(std::clamp(inputs.*member, signal.low, signal.high));
-    }
-    return series;
+    std::vector<double> value(corner.inputs.size());
+    std::ranges::transform(corner.inputs, value.begin(), [&](const CornerInputs& inputs) {
+        return std::clamp(inputs.*member, signal.low, signal.high);
+    });
+    return {.signal = &signal, .time = motion.time, .value = std::move(value), .logged = true};
 }
 
 /// Of the disc at this wheel, from its share of the braking force. @param air K, a history
@@ -46,11 +46,9 @@ solver::Series disc_of(const physics::Brake& brake, const MotionHistory& motion,
         const bool brakes = !motion.motion[i].brakes_released;
         power.push_back(brakes ? std::max(0.0, -inputs.longitudinal_force) * std::abs(inputs.speed) : 0.0);
     }
-    solver::Series series{.signal = &signal, .time = motion.time, .value = {}, .logged = true};
-    for (const double kelvin : physics::brake_temperature(brake, motion.time, power, at_times(air, motion.time))) {
-        series.value.push_back(std::clamp(kelvin, signal.low, signal.high));
-    }
-    return series;
+    std::vector<double> disc = physics::brake_temperature(brake, motion.time, power, at_times(air, motion.time));
+    std::ranges::for_each(disc, [&](double& kelvin) { kelvin = std::clamp(kelvin, signal.low, signal.high); });
+    return {.signal = &signal, .time = motion.time, .value = std::move(disc), .logged = true};
 }
 
 }  // namespace

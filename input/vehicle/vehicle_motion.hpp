@@ -11,7 +11,7 @@ namespace tiretherm::input {
 
 /// How a car moved, in the axes of ISO 8855.
 struct MotionHistory {
-    std::vector<double> time;                    ///< [n] s, ascending
+    solver::SharedSamples time;                  ///< [n] s, ascending
     std::vector<physics::VehicleMotion> motion;  ///< [n]
     std::vector<std::string> sources;            ///< from what it was taken, a sentence each
     double course_agrees = 0.0;  ///< correlation of its turns with those over ground; 0: these are not known

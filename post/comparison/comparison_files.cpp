@@ -21,7 +21,9 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-std::string samples_csv(const Comparison& comparison) {
+/// Row by row, for a log of an hour has millions.
+void write_samples(const Comparison& comparison, AppendFile file) {
+    constexpr std::size_t block = 1U << 20U;  // bytes
     Csv csv({"time [s]", "run", "channel", "unit", "measured", "simulated", "difference"});
     for (const ComparedChannel& channel : comparison.channels) {
         const solver::ShownUnit& unit = channel.unit;
@@ -30,10 +32,13 @@ std::string samples_csv(const Comparison& comparison) {
                 csv.row(Digits{series.time[i], 10}, comparison.runs[series.run], channel.name, unit.name,
                         Digits{unit.value(series.measured[i]), 8}, Digits{unit.value(series.simulated[i]), 8},
                         Digits{unit.difference(series.simulated[i] - series.measured[i]), 6});
+                if (csv.text().size() > block) {
+                    file.append(csv.take());
+                }
             }
         }
     }
-    return csv.text();
+    file.append(csv.text());
 }
 
 std::string statistics_csv(const Comparison& comparison) {
@@ -118,7 +123,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
                                                     const std::filesystem::path& directory) {
     create_folder(directory);
     std::vector<std::filesystem::path> files{directory / "compare.csv", directory / "compare_statistics.csv"};
-    replace_file(files[0], samples_csv(comparison));
+    write_samples(comparison, AppendFile(files[0]));
     replace_file(files[1], statistics_csv(comparison));
     const auto add = [&](const char* name, const std::string& text) {
         replace_file(files.emplace_back(directory / name), text);

@@ -117,6 +117,13 @@ Section per_run(const Comparison& comparison, DataTable table) {
         section.say(fmt::format("The error of grid and steps in what is simulated is {}.",
                                 grid_error_text(most->name, most->unit, most->grid_error)));
     }
+    if (const std::optional<GridLeftOut>& grid = comparison.grid_left_out) {
+        section.say(fmt::format(
+            "The error of the grid was not computed: {} cells over {} samples would take too long. Compare a part of "
+            "the runs (from and to, or laps), or the same case with fewer cells: half of them have four times its "
+            "error.",
+            grouped(grid->cells), grouped(static_cast<double>(grid->samples))));
+    }
     return section;
 }
 

@@ -2,9 +2,12 @@
 // Comma-separated tables: separators, quotes, digits.
 #include "post/report/csv.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include "input/text/characters.hpp"
@@ -20,6 +23,11 @@ Csv::Csv(const std::vector<std::string>& headings) {
 
 void Csv::add(std::string_view text) {
     separate();
+    const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != ',' && c != '"'; };
+    if (std::ranges::all_of(text, is_plain)) {
+        text_ += text;
+        return;
+    }
     const std::string plain = input::printable(text);
     if (plain.find_first_of(",\"") == std::string::npos) {
         text_ += plain;
@@ -35,14 +43,14 @@ void Csv::add(std::string_view text) {
 void Csv::add(Digits number) {
     separate();
     if (std::isfinite(number.value)) {
-        fmt::format_to(std::back_inserter(text_), "{:.{}g}", number.value, number.digits);
+        fmt::format_to(std::back_inserter(text_), FMT_COMPILE("{:.{}g}"), number.value, number.digits);
     }
 }
 
 void Csv::add(Decimals number) {
     separate();
     if (std::isfinite(number.value)) {
-        fmt::format_to(std::back_inserter(text_), "{:.{}f}", number.value, number.decimals);
+        fmt::format_to(std::back_inserter(text_), FMT_COMPILE("{:.{}f}"), number.value, number.decimals);
     }
 }
 
@@ -50,6 +58,8 @@ void Csv::end_row() {
     text_ += '\n';
     in_row_ = false;
 }
+
+std::string Csv::take() { return std::exchange(text_, {}); }
 
 void Csv::separate() {
     if (in_row_) {

@@ -37,6 +37,8 @@ public:
     void end_row();
 
     [[nodiscard]] const std::string& text() const { return text_; }
+    /// The rows so far, to be written; what follows begins anew.
+    [[nodiscard]] std::string take();
 
 private:
     void separate();

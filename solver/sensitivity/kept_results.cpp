@@ -134,8 +134,8 @@ void add(Digest& digest, const InputSignals& signals) {
     digest.add(signals.series().size());
     for (const Series& series : signals.series()) {
         digest.add(series.signal->name);
-        digest.add(series.time);
-        digest.add(series.value);
+        digest.add(std::span<const double>(series.time));
+        digest.add(std::span<const double>(series.value));
         digest.add(series.logged);
     }
     digest.add(signals.stops());

@@ -91,6 +91,12 @@ void StepForcing::average(double t0, double t1, std::ptrdiff_t first, std::ptrdi
         sample(nodes_[k], k == 0 ? JumpSide::after : JumpSide::before, std::span(values_).subspan(k * n, n));
     }
     const double width = t1 - t0;
+    places_.resize(nodes_.size());
+    widths_.resize(nodes_.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        places_[k] = (nodes_[k] - t0) / width;
+        widths_[k] = k + 2 < nodes_.size() ? (nodes_[k + 2] - nodes_[k]) / width : 0.0;
+    }
     for (std::size_t m = 0; m < n; ++m) {
         const auto value = [&](std::size_t k) { return values_[k * n + m]; };
         double mean = 0.0;
@@ -98,8 +104,8 @@ void StepForcing::average(double t0, double t1, std::ptrdiff_t first, std::ptrdi
         double low = value(0);
         double high = value(0);
         for (std::size_t k = 0; k + 2 < nodes_.size(); k += 2) {
-            const double dx = (nodes_[k + 2] - nodes_[k]) / width;
-            const auto arm = [&](std::size_t j) { return (nodes_[j] - t0) / width - 0.5; };
+            const double dx = widths_[k];
+            const auto arm = [&](std::size_t j) { return places_[j] - 0.5; };
             mean += dx / 6.0 * (value(k) + 4.0 * value(k + 1) + value(k + 2));
             moment += dx / 6.0 * (arm(k) * value(k) + 4.0 * arm(k + 1) * value(k + 1) + arm(k + 2) * value(k + 2));
             low = std::min({low, value(k + 1), value(k + 2)});
@@ -114,8 +120,8 @@ void StepForcing::average(double t0, double t1, std::ptrdiff_t first, std::ptrdi
         double integral = 0.0;
         double largest = 0.0;
         for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
-            const double x0 = (nodes_[k] - t0) / width;
-            const double x1 = (nodes_[k + 1] - t0) / width;
+            const double x0 = places_[k];
+            const double x1 = places_[k + 1];
             const double left0 = value(k) - mean - slope * (x0 - 0.5);
             const double left1 = value(k + 1) - mean - slope * (x1 - 0.5);
             integral += 0.5 * (left0 + left1) * (x1 - x0);

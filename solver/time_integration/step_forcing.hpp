@@ -49,6 +49,8 @@ private:
     bool averaged_ = false;
     std::vector<double> unresolved_;
     std::vector<double> nodes_;   ///< times of samples and midpoints of the step
+    std::vector<double> places_;  ///< [nodes] from 0 to 1 over the step
+    std::vector<double> widths_;  ///< [nodes] of two intervals from a node on, as shares of the step
     std::vector<double> values_;  ///< [nodes][n_coefficients]
 };
 

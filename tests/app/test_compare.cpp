@@ -71,12 +71,13 @@ TEST(Compare, OtherRunsTakeThePlaceOfTheCasesOwn) {
 }
 
 /// A run of a bench at a steady speed, with what it reads at all times. @param tables of the case
-Call compared(std::string_view tables, double kmh, const std::string& reading, const std::string& arguments = "") {
+Call compared(std::string_view tables, double kmh, const std::string& reading, const std::string& arguments = "",
+              int rows = 21) {
     const input::Written written;
     std::string log =
         "time [s],speed [km/h],vertical_load [N],air_temperature [degC],road_temperature [degC]," + reading + "\n";
-    for (int i = 0; i <= 20; ++i) {
-        log += fmt::format("{},{},4000,20,25,{:.2f}\n", 10 * i, kmh, 25.0 + 0.4 * i);
+    for (int i = 0; i < rows; ++i) {
+        log += fmt::format("{},{},4000,20,25,{:.2f}\n", 10 * i, kmh, 25.0 + 8.0 * i / (rows - 1));
     }
     written.add("run.csv", log);
     written.add("case.toml", std::string(tables) + "[[run]]\nfile = \"run.csv\"\n");
@@ -98,9 +99,7 @@ TEST(Compare, ARunBeyondWhatALawWasComparedAtIsTold) {
               Json::array());
 }
 
-// A strip of three cells has an error of its grid, which a grid of six shows; two nodes have none.
-TEST(Compare, TheErrorOfACoarseGridIsTold) {
-    constexpr std::string_view strip = R"([mesh]
+constexpr std::string_view strip = R"([mesh]
 kind = "layers"
 area = "0.4 m2"
 [[mesh.layer]]
@@ -123,6 +122,9 @@ name = "middle"
 kind = "point"
 depth = "3 mm"
 )";
+
+// A strip of three cells has an error of its grid, which a grid of six shows; two nodes have none.
+TEST(Compare, TheErrorOfACoarseGridIsTold) {
     const Call coarse = compared(strip, 0.0, "middle [degC]", "--json");
     ASSERT_EQ(coarse.exit_code, 0) << coarse.err;
     const double error = Json::parse(coarse.out)["channels"][0]["grid_error"].get<double>();
@@ -133,6 +135,21 @@ depth = "3 mm"
         << page.out;
     const Json lumps = Json::parse(compared(input::bench, 140.0, "surface_temperature [degC]", "--json").out);
     EXPECT_TRUE(lumps["channels"][0]["grid_error"].is_null());
+}
+
+// More than 400 cells, or more than four millions of cells times samples: 400 cells at 10 001 samples. Half as many samples are looked at.
+TEST(Compare, TheErrorOfAGridIsNotLookedAtWhereThatTakesLong) {
+    const auto page_of = [](const char* cells, int rows) {
+        return compared(input::replaced(std::string(strip), "cells = 3", std::string("cells = ") + cells), 0.0,
+                        "middle [degC]", "", rows)
+            .out;
+    };
+    EXPECT_NE(page_of("401", 21).find(
+                  "The error of the grid was not computed: 401 cells over 21 samples would take too long."),
+              std::string::npos);
+    const std::string many = page_of("400", 10'001);
+    EXPECT_NE(many.find("400 cells over 10 001 samples"), std::string::npos) << many;
+    EXPECT_EQ(page_of("20", 5'000).find("was not computed"), std::string::npos);
 }
 
 TEST(Compare, ErrorsAreReportedAndEndWith1) {

@@ -41,16 +41,18 @@ TEST(Series, JumpHasAValueBeforeAndAValueAfter) {
 // A point is looked for from where it would be if all were even. Here they are not: i^3 s, each third one twice, with i as value before and
 // i + 0.5 after the jump. A quarter of the way from one to the next the value has gone a quarter of the way as well.
 TEST(Series, IsReadOffHoweverUnevenItsPointsAre) {
-    Series s{.signal = &power(), .time = {}, .value = {}};
+    std::vector<double> time;
+    std::vector<double> value;
     const auto after = [](int i) { return i % 3 == 0 ? i + 0.5 : static_cast<double>(i); };
     for (int i = 0; i < 200; ++i) {
-        s.time.push_back(std::pow(i, 3));
-        s.value.push_back(i);
+        time.push_back(std::pow(i, 3));
+        value.push_back(i);
         if (i % 3 == 0) {
-            s.time.push_back(s.time.back());
-            s.value.push_back(after(i));
+            time.push_back(time.back());
+            value.push_back(after(i));
         }
     }
+    const Series s{.signal = &power(), .time = time, .value = value};
     for (int i = 0; i < 200; ++i) {
         EXPECT_EQ(s.at(std::pow(i, 3), JumpSide::before), i);
         EXPECT_EQ(s.at(std::pow(i, 3), JumpSide::after), after(i));
@@ -71,6 +73,26 @@ TEST(InputSignals, ScheduleStopsTheStepAndALoggerOnlyWhereItJumps) {
     EXPECT_TRUE(input_signals.gives(power()));
     EXPECT_FALSE(input_signals.gives(*physics::find_signal("camber")));
     EXPECT_EQ(input_signals.at(5.0, JumpSide::before).laser_power, 0.5);
+}
+
+// Columns of one log share its times and are looked up once; one with times of its own lies between them.
+TEST(InputSignals, OfOneLogShareTheirTimes) {
+    const SharedSamples time{0.0, 1.0, 3.0};
+    InputSignals input_signals;
+    input_signals.add({.signal = &speed(), .time = time, .value = {0.0, 2.0, 6.0}, .logged = true});
+    input_signals.add(
+        {.signal = physics::find_signal("camber"), .time = {0.0, 4.0}, .value = {0.0, 0.4}, .logged = true});
+    input_signals.add({.signal = &power(), .time = time, .value = {1.0, 2.0, 4.0}, .logged = true});
+    EXPECT_EQ(input_signals.series()[0].time.data(), input_signals.series()[2].time.data());
+    EXPECT_EQ(input_signals.samples(), (std::vector<double>{0.0, 1.0, 3.0, 4.0}));
+    const physics::Inputs at = input_signals.at(2.0, JumpSide::before);
+    EXPECT_DOUBLE_EQ(at.speed, 4.0);
+    EXPECT_DOUBLE_EQ(at.camber, 0.2);
+    EXPECT_DOUBLE_EQ(at.laser_power, 3.0);
+    const InputSignals copy = input_signals;
+    input_signals.move(power(), 2.0, 0.0);
+    EXPECT_EQ(copy.at(2.0, JumpSide::before).laser_power, 3.0);
+    EXPECT_EQ(input_signals.at(2.0, JumpSide::before).laser_power, 6.0);
 }
 
 TEST(InputSignals, ConstantsHoldForEver) {

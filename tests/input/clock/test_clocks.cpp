@@ -80,6 +80,10 @@ TEST(Clock, IsReadInEverySpelling) {
                                Fields{"Tue Sep 03 14:05:01 GMT+02:00 2024", "Tue Sep 03 14:05:31 GMT+02:00 2024"},
                                Fields{"14:05:01 03.09.2024", "14:05:31 03.09.2024"},
                                Fields{"20240903 23:59:45", "20240904 00:00:15"},
+                               Fields{"20240903T235945.250", "20240904T000015.250"},
+                               Fields{"20240903T235945Z", "20240904T000015Z"},
+                               Fields{"20240903235945.5", "20240904000015.5"},
+                               Fields{"2024-09-03 235945", "2024-09-04 000015"},
                                Fields{"2024/09/03 14:05:01,5", "2024/09/03 14:05:31,5"},
                                Fields{"14:05:01:250", "14:05:31:250"},
                                Fields{"31. Dez. 2026 23:59:45", "1. Jan. 2027 00:00:15"},
@@ -183,6 +187,18 @@ TEST(Clock, OfWholeSecondsInNumbersHasItsLinesSpread) {
         EXPECT_NEAR(read.times[15], 3602.0, 1e-9);
         EXPECT_NEAR(read.times[24], 3603.8, 1e-9);
     }
+}
+
+// 46090.5 is noon of a day in 2026, as spreadsheets keep it; 1/86400 of a day is a second. Seconds of the day go on by more than 78 s / 86400.
+TEST(Clock, CountsTheDaysOfASpreadsheet) {
+    const ReadClock read = read_clock(log_of("DateTime", {"46090.5", "46090.50005787", "46090.50034722"}));
+    ASSERT_EQ(read.times.size(), 3U) << read.messages;
+    EXPECT_NEAR(read.times[1], 5.0, 1e-3);
+    EXPECT_NEAR(read.times[2], 30.0, 1e-3);
+    EXPECT_EQ(read_clock("DateTime;speed [km/h]\n46090,5;36\n46090,50034722;36\n").times.size(), 2U);
+    EXPECT_NEAR(read_clock("DateTime;speed [km/h]\n46090,5;36\n46090,50034722;36\n").times.back(), 30.0, 1e-3);
+    EXPECT_EQ(read_clock(log_of("time [s]", {"46090.5", "46090.6", "46091.5"})).times,
+              (Times{46090.5, 46090.6, 46091.5}));
 }
 
 // Of a schedule in clocks: at 12:10 the speed jumps.

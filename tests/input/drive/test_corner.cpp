@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "input/drive/corner.hpp"
+#include "input/measurements/made_up_log.hpp"
 #include "input/measurements/measured_bench.hpp"
 #include "input/parameters/fitted_case.hpp"
 
@@ -378,6 +379,70 @@ TEST(ExchangedSides, ExchangedColumnsAreTold) {
     EXPECT_TRUE(
         has(all, "though the car's turns are those over ground: are the columns of left and right tires exchanged?"))
         << all;
+}
+
+namespace {
+
+/// What is said of a car that goes left and right in turn, as on a skidpad, with 2 or 4 kN on each front tire at 36 km/h. A reading
+/// follows 20 K/kN with a time constant of 6 s, and has noise of 0.5 K.
+/// @param turn s, of both sides  @param delay s, of the readings  @param right the column of the right tire's readings
+std::string sides_on_a_skidpad(double turn, double delay, const std::string& left, const std::string& right) {
+    std::string log =
+        "time [s],speed [km/h],air_temperature [degC],road_temperature [degC],Fz_FL [N],Fz_FR [N],A [degC],B [degC]";
+    Noise noise(0.5);
+    const auto load = [&](double t) { return std::fmod(t + turn, turn) < 0.5 * turn ? 2000.0 : 4000.0; };
+    double a = 80.0;
+    double b = 80.0;
+    for (int i = 0; i <= 640; ++i) {
+        const double t = 0.5 * i;
+        a += 0.5 / 6.0 * (20.0 + 0.02 * load(t - delay) - a);
+        b += 0.5 / 6.0 * (20.0 + 0.02 * (6000.0 - load(t - delay)) - b);
+        log += fmt::format("\n{},36,25,30,{},{},{:.2f},{:.2f}", t, load(t), 6000.0 - load(t), a + noise(), b + noise());
+    }
+    const Written written;
+    written.add("laps.csv", log + "\n");
+    const auto tire = [](const std::string& name, const std::string& reading) {
+        return fmt::format(
+            "[[corner]]\nname = \"{0}\"\ncolumns = {{ Fz_{0} = \"vertical_load\", {1} = \"surface_temperature\" }}\n",
+            name, reading);
+    };
+    return sides_of(read_experiment(written.add(
+        "case.toml", std::string(bench) + tire("FL", left) + tire("FR", right) + "[[run]]\nfile = \"laps.csv\"\n")));
+}
+
+}  // namespace
+
+// Turns that are all alike count for few samples, however many they are; but each of eight says the same.
+TEST(ExchangedSides, AreToldOfTurnsThatAreAllAlike) {
+    const std::string said = sides_on_a_skidpad(40.0, 0.0, "B", "A");
+    EXPECT_TRUE(has(said, "left and right are probably exchanged")) << said;
+    EXPECT_EQ(sides_on_a_skidpad(40.0, 0.0, "A", "B"), "");
+}
+
+// In a slalom of 8 s readings that come 4 s late go against the loads as well, and of exchanged columns nothing else is known.
+TEST(ExchangedSides, AreNotToldWhereReadingsMayBeLate) {
+    EXPECT_EQ(sides_on_a_skidpad(8.0, 4.0, "A", "B"), "");
+    EXPECT_EQ(sides_on_a_skidpad(8.0, 0.0, "B", "A"), "");
+}
+
+// The columns that no tire uses are the same for all of a recording, and are kept once.
+TEST(Corner, SharesTheColumnsThatNoTireUses) {
+    const Written written;
+    written.add("laps.csv",
+                "time [s],speed [km/h],air_temperature [degC],road_temperature [degC],Fz_FL [N],Fz_FR [N],S_FL [degC],"
+                "S_FR [degC],oil [bar]\n0,36,25,30,4000,3000,30,31,2\n2,54,25,30,4100,2900,30,31,3\n");
+    const ExperimentReading reading = read_experiment(written.add(
+        "case.toml",
+        std::string(bench) +
+            "[[corner]]\nname = \"FL\"\ncolumns = { Fz_FL = \"vertical_load\", S_FL = \"surface_temperature\" }\n"
+            "[[corner]]\nname = \"FR\"\ncolumns = { Fz_FR = \"vertical_load\", S_FR = \"surface_temperature\" }\n"
+            "[[run]]\nfile = \"laps.csv\"\n"));
+    ASSERT_TRUE(reading.experiment) << error_report(reading);
+    const auto oil = [&](std::size_t run) {
+        return *std::ranges::find(reading.experiment->runs[run].unused, "oil", &UnusedSignal::name);
+    };
+    EXPECT_EQ(oil(1).value, (std::vector<double>{2.0, 3.0}));
+    EXPECT_EQ(oil(0).value.data(), oil(1).value.data());
 }
 
 }  // namespace tiretherm::input

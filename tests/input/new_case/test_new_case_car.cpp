@@ -298,6 +298,44 @@ TEST(NewCaseCar, TakesTheLiveOneOfTwoAccelerations) {
     EXPECT_EQ(column_of(made, "longacc").name, "");
 }
 
+namespace {
+
+/// A car of 108 km/h -+ 9 m/s in 10 s, whose logger has these accelerations.
+NewCase with_axes(const std::string& first, const std::string& second, double swing, const Written& written) {
+    const std::vector<Logged> channels{
+        {"GPS Speed [km/h]", [=](double t) { return 108.0 + 3.6 * swing * std::sin(t); }},
+        {first + " [g]", [=](double t) { return swing * std::cos(t) / 9.80665 + 0.01 * std::sin(31.0 * t); }},
+        {second + " [g]", [](double t) { return 0.8 * std::sin(0.7 * t) + 0.01 * std::sin(37.0 * t); }},
+        {"YawRate [deg/s]",
+         [](double t) { return 0.8 * std::sin(0.7 * t) * 9.80665 / 30.0 * 180.0 / 3.14159265358979; }},
+        {"Tire Temp FL [C]", [](double t) { return 40.0 + 0.37 * t + 0.01 * std::sin(7.0 * t); }}};
+    written.add("log.csv", table(channels));
+    return make(written, "225/50 R17", "", "log.csv");
+}
+
+}  // namespace
+
+// X lies along the car and Y across it, unless the logger lies across the car: the slope of speed tells. At a steady speed nothing does.
+TEST(NewCaseCar, AccelerationsByAxisAreTakenAsTheyFollowTheSpeed) {
+    using Pair = std::pair<const char*, const char*>;
+    for (const auto& [x, y] :
+         {Pair{"AccX", "AccY"}, Pair{"Accel X", "Accel Y"}, Pair{"x_acc", "y_acc"}, Pair{"accx", "accy"}}) {
+        const Written written;
+        const NewCase along = with_axes(x, y, 9.0, written);
+        EXPECT_TRUE(along.errors.empty()) << errors_of(along, written);
+        EXPECT_EQ(column_of(along, x).name, "longitudinal_acceleration") << x;
+        EXPECT_EQ(column_of(along, y).name, "lateral_acceleration") << y;
+        const NewCase across = with_axes(y, x, 9.0, written);
+        EXPECT_EQ(column_of(across, y).name, "longitudinal_acceleration") << y;
+        EXPECT_EQ(column_of(across, x).name, "lateral_acceleration") << x;
+    }
+    const Written written;
+    const NewCase steady = with_axes("AccX", "AccY", 0.0, written);
+    EXPECT_EQ(column_of(steady, "AccX").name, "");
+    EXPECT_EQ(column_of(steady, "AccY").reason,
+              "it does not follow the slope of speed, nor does another axis: how the logger lies is not known");
+}
+
 // Neither acceleration nor yaw rate nor steering: the heading tells the turns, and the case has a [vehicle]. Its template has both
 // signs. The tire's sensor says nothing for a second; the tire starts at what it says then.
 TEST(NewCaseCar, AHeadingMakesAVehicle) {

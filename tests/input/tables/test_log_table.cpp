@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A file is read once for all corners, runs, passes and surveys of a command, whatever its format.
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "input/log_survey/log_survey.hpp"
@@ -149,6 +151,87 @@ TEST(LogTable, AWrongFieldHasItsLineHoweverFarDown) {
     EXPECT_EQ(errors.in_order().front().column, 5);
     EXPECT_EQ(errors.in_order().front().what, "x is \"wet\"; a number is wanted");
     EXPECT_EQ(file->spot(701).place.line, 717);
+}
+
+// A text of more than 4 MB is let go once its numbers are read: 400 000 rows of "1,1" and a line end are less, of 13 bytes more. The
+// message reads it again, unless the file has been changed meanwhile.
+TEST(LogTable, AWrongFieldOfALongFileHasItsLine) {
+    const Written written;
+    std::string lines = "time [s],a\n";
+    for (int i = 0; i < 400'000; ++i) {
+        lines += i == 300'000 ? "300000,wet  \n" : fmt::format("{:<6},1.0000\n", i);
+    }
+    const auto path = written.add("log.csv", lines);
+    const auto error_of = [&](bool is_changed) {
+        written.add("log.csv", lines);
+        InputErrors errors;
+        const auto file = DataFile::open(path, {}, errors);
+        if (is_changed) {
+            written.add("log.csv", "time [s],a\n0,1\n");
+        }
+        EXPECT_TRUE(read_column(file.value(), 1, errors).empty());
+        return errors.in_order().at(0);
+    };
+    EXPECT_EQ(error_of(false).line, 300'002);
+    EXPECT_EQ(error_of(false).source, "300000,wet  ");
+    EXPECT_EQ(error_of(true).line, 0);
+}
+
+// What a logger writes where a sensor gives nothing is no error: single 9999 and -999, and 1037 for the first three samples. A column that
+// is out of range all along has another unit.
+TEST(LogTable, CodesOfADeadSensorAreMissing) {
+    const auto read = [](const std::vector<std::string>& fields, std::size_t n_errors, const std::string& warning) {
+        const Written written;
+        std::string lines = "time [s],T [degC]\n";
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            lines += fmt::format("{},{}\n", i, fields[i]);
+        }
+        InputErrors errors;
+        const auto file = DataFile::open(written.add("log.csv", lines), {}, errors);
+        const QuantitySpec air{.unit = "K", .low = 200.0, .high = 400.0};
+        const auto values = file->read({{.column = 1, .name = "T", .spec = air, .purpose = Purpose::measured}}, errors);
+        EXPECT_EQ(errors.count(), n_errors) << fields.front();
+        EXPECT_EQ(errors.warnings().empty() ? "" : errors.warnings().front().what, warning);
+        return values.empty() ? std::vector<double>{} : values.front();
+    };
+    const std::vector<double> one =
+        read({"20", "9999", "21", "-999", "22"}, 0,
+             "T is 9999 degC or -999 degC in 2 of 5 samples, which no sensor of it reads: left out");
+    ASSERT_EQ(one.size(), 5U);
+    EXPECT_TRUE(std::isnan(one[1]) && std::isnan(one[3]));
+    EXPECT_DOUBLE_EQ(one[4], 295.15);
+    EXPECT_TRUE(std::isnan(read({"1037", "1037", "1037", "20", "21", "20", "22"}, 0,
+                                "T is 1037 degC in 3 of 7 samples, which no sensor of it reads: left out")
+                               .at(0)));
+    read({"290", "291", "290", "20"}, 3, "");
+    read({"125", "126", "127", "128", "126", "125"}, 2, "");
+    read({"20", "300", "21"}, 1, "");
+}
+
+// A line for each probe and time: a column for each probe, a row for each of three times, of which the second has no shoulder. What is
+// wrong with a reading stands where it is in the file.
+TEST(LogTable, ALineForEachReadingMakesAColumnForEachProbe) {
+    const Written written;
+    const auto path = written.add(
+        "log.csv",
+        "time [s],probe,temperature [degC]\n0,core,25\n0,shoulder,26\n1,core,27\n2,shoulder,28\n2,core,hot\n");
+    InputErrors errors;
+    const auto file = DataFile::open(path, {}, errors);
+    ASSERT_TRUE(file && file->find("core") == 1 && file->find("shoulder") == 2);
+    const auto time =
+        file->read({{.column = 0, .name = "time", .spec = {.unit = "s"}, .purpose = Purpose::clock}}, errors);
+    EXPECT_EQ(time.front(), (std::vector<double>{0.0, 1.0, 2.0}));
+    const QuantitySpec temperature{.unit = "K", .high = 1000.0};
+    const auto shoulder =
+        file->read({{.column = 2, .name = "x", .spec = temperature, .purpose = Purpose::measured}}, errors);
+    ASSERT_EQ(errors.count(), 0U);
+    EXPECT_DOUBLE_EQ(shoulder.front()[0], 299.15);
+    EXPECT_TRUE(std::isnan(shoulder.front()[1]));
+    EXPECT_DOUBLE_EQ(shoulder.front()[2], 301.15);
+    EXPECT_TRUE(
+        file->read({{.column = 1, .name = "x", .spec = temperature, .purpose = Purpose::measured}}, errors).empty());
+    EXPECT_EQ(errors.in_order().at(0).line, 6);
+    EXPECT_EQ(errors.in_order().at(0).column, 8);
 }
 
 // Of the survey all columns are looked at, of which the log uses the time alone.

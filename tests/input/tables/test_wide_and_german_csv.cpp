@@ -151,4 +151,21 @@ TEST(GermanCsv, CommasThatAlsoSeparateAreRefused) {
         << found;
 }
 
+// Quotes keep a decimal comma apart from those that separate. Three digits behind one may be thousands: nobody knows.
+TEST(GermanCsv, DecimalCommasInQuotesAreRead) {
+    const Written written;
+    const std::string heads =
+        "time [s],speed [km/h],vertical_load [N],air_temperature [degC],road_temperature [degC],surface_temperature "
+        "[degC]\n";
+    const ExperimentReading reading =
+        read_log(written, heads + "\"0,0\",\"36,0\",4000,25,30,\"25,25\"\n\"2,5\",\"54,0\",4100,25,30,\"-0,5\"\n");
+    ASSERT_TRUE(reading.experiment) << said_of(reading, written);
+    const MeasuredRun& run = reading.experiment->runs.front();
+    EXPECT_EQ(run.time, (std::vector<double>{0.0, 2.5}));
+    EXPECT_DOUBLE_EQ(run.series.front().value[1], 272.65);
+    const std::string thousands =
+        said_of(read_log(written, heads + "0,36,\"4,000\",25,30,25\n2,54,\"4,100\",25,30,26\n"), written);
+    EXPECT_NE(thousands.find("vertical_load is 4,000, with a comma in the number"), std::string::npos) << thousands;
+}
+
 }  // namespace tiretherm::input

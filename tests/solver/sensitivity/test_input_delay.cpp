@@ -12,13 +12,14 @@ namespace {
 
 /// A load that swings by 1.5 kN in a minute about 4 kN, as a logger writes it every half second, so many seconds late.
 Series swinging_load(double late) {
-    Series series{.signal = physics::find_signal("vertical_load"), .time = {}, .value = {}, .logged = true};
+    std::vector<double> time;
+    std::vector<double> value;
     for (int i = 0; i <= 1200; ++i) {
         const double t = 0.5 * i;
-        series.time.push_back(t);
-        series.value.push_back(4000.0 + 1500.0 * std::sin(2.0 * 3.14159265358979 * (t - late) / 60.0));
+        time.push_back(t);
+        value.push_back(4000.0 + 1500.0 * std::sin(2.0 * 3.14159265358979 * (t - late) / 60.0));
     }
-    return series;
+    return {.signal = physics::find_signal("vertical_load"), .time = time, .value = value, .logged = true};
 }
 
 /// The two-node tire under that load.

@@ -15,18 +15,22 @@ namespace {
 class Swing final : public InputModel {
 public:
     void apply(std::span<const double> numbers, InputSignals& into) const override {
-        Series load{.signal = physics::find_signal("vertical_load"), .time = {}, .value = {}, .logged = true};
-        Series speed{.signal = physics::find_signal("speed"), .time = {}, .value = {}, .logged = true};
+        std::vector<double> time;
+        std::vector<double> load;
+        std::vector<double> speed;
         for (int i = 0; i <= 1200; ++i) {
             const double t = 0.5 * i;
             const double turn = std::sin(2.0 * 3.14159265358979 * t / 60.0);
-            load.time.push_back(t);
-            load.value.push_back(2000.0 + numbers[0] * (2.0 + numbers[1] * turn));
-            speed.time.push_back(t);
-            speed.value.push_back(30.0 + 5.0 * numbers[1] * turn);
+            time.push_back(t);
+            load.push_back(2000.0 + numbers[0] * (2.0 + numbers[1] * turn));
+            speed.push_back(30.0 + 5.0 * numbers[1] * turn);
         }
-        into.replace(std::move(load));
-        into.replace(std::move(speed));
+        const auto put = [&](const char* name, std::vector<double> value) {
+            into.replace(
+                {.signal = physics::find_signal(name), .time = time, .value = std::move(value), .logged = true});
+        };
+        put("vertical_load", std::move(load));
+        put("speed", std::move(speed));
     }
     [[nodiscard]] std::vector<const physics::Signal*> signals() const override {
         return {physics::find_signal("vertical_load"), physics::find_signal("speed")};

@@ -55,12 +55,13 @@ TEST(Session, GivesTheNumbersOfTheBatchRunAtTheSameSteps) {
     Problem problem = two_node_tire();
     problem.input_signals = {};
     for (const physics::Signal& signal : physics::signals()) {
-        Series series{.signal = &signal, .time = {}, .value = {}};
+        std::vector<double> time;
+        std::vector<double> value;
         for (int i = 0; i <= steps; ++i) {
-            series.time.push_back(dt * i);
-            series.value.push_back(inputs_at(dt * i).*signal.member);
+            time.push_back(dt * i);
+            value.push_back(inputs_at(dt * i).*signal.member);
         }
-        problem.input_signals.add(std::move(series));
+        problem.input_signals.add(Series{.signal = &signal, .time = std::move(time), .value = std::move(value)});
     }
     problem.settings.end = dt * steps;
     problem.settings.fixed_step = dt;
