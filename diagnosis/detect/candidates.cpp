@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/detect/trial_values.hpp"
+#include "input/parameters/effect_names.hpp"
 #include "input/parameters/parameter_path.hpp"
 
 namespace tiretherm::diagnosis {

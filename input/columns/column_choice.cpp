@@ -82,9 +82,9 @@ void choose_signals(const SignalChoice& choice, std::vector<MeasuredRun>& runs, 
     for (const LocatedString& word : choice.ignored) {
         if (means_none(word)) {
             errors.warn(word.place,
-                        fmt::format("ignore of [diagnose] names \"{}\", which is no column that the model does "
-                                    "not use: {}",
-                                    word.text, remedy_for(word, names)));
+                        "ignore of [diagnose] names \"{}\", which is no column that the model does "
+                        "not use: {}",
+                        word.text, remedy_for(word, names));
         }
     }
     for (MeasuredRun& run : runs) {

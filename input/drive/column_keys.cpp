@@ -125,7 +125,7 @@ void ColumnKeys::report_unknown_columns(InputErrors& errors) const {
     }
     for (const Key& key : unit_names_) {
         if (!key.found) {
-            errors.warn(key.column.place, fmt::format("no column of the file is in [{}]", key.column.text));
+            errors.warn(key.column.place, "no column of the file is in [{}]", key.column.text);
         }
     }
 }
@@ -140,8 +140,8 @@ void ColumnKeys::warn_of_unknown_columns(InputErrors& errors) const {
     const std::vector<std::string> known(headings_.begin(), headings_.end());
     for (const Key* key : unknown_columns()) {
         const std::string near = nearest(key->column.text, known);
-        errors.warn(key->column.place, fmt::format("no file of a [[run]] has the column \"{}\"{}", key->column.text,
-                                                   near.empty() ? "" : fmt::format(": did you mean `{}`?", near)));
+        errors.warn(key->column.place, "no file of a [[run]] has the column \"{}\"{}", key->column.text,
+                    near.empty() ? "" : fmt::format(": did you mean `{}`?", near));
     }
 }
 

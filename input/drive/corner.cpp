@@ -167,8 +167,8 @@ void warn_of_shared_columns(const std::vector<CornerColumn>& columns, InputError
             }
         }
         if (corners.size() > 1 && corners.front() == one->corner) {
-            errors.warn(last->place, fmt::format("the column {} is {} of {}: it belongs to one tire", one->heading,
-                                                 one->name, listed(corners)));
+            errors.warn(last->place, "the column {} is {} of {}: it belongs to one tire", one->heading, one->name,
+                        listed(corners));
         }
     }
 }

@@ -21,8 +21,8 @@ void apply_unit(ColumnHead& head, const LocatedString& unit, InputErrors& errors
     const bool turns_sign =
         head.heading.unit && unit.text == fmt::format("{}{}", turned_sign, meant_unit(*head.heading.unit, "N"));
     if (head.heading.unit && *head.heading.unit != unit.text && head.form == FieldForm::number && !turns_sign) {
-        errors.warn(unit.place, fmt::format("the column {} is in [{}] by its heading; {} is taken instead",
-                                            head.heading.name, *head.heading.unit, unit.text));
+        errors.warn(unit.place, "the column {} is in [{}] by its heading; {} is taken instead", head.heading.name,
+                    *head.heading.unit, unit.text);
     }
     head.heading.unit = unit.text;
     head.unit_place = unit.place;

@@ -138,7 +138,7 @@ void leave_out_dead(const ColumnRequest& column, const SourceLocation& place, co
                     const std::vector<double>& time, std::vector<double>& value, InputErrors& errors) {
     const std::string dead = keys.keeps_suspicious() ? std::string() : remove_dead(time, value, column.spec.unit);
     if (!dead.empty()) {
-        errors.warn(place, fmt::format("{} {}: left out", column.name, dead));
+        errors.warn(place, "{} {}: left out", column.name, dead);
     }
 }
 

@@ -28,10 +28,10 @@ void warn_of_cut_log(const TomlTable& time, const solver::Settings& settings, co
     const auto warn = [&](std::string_view key, double cut, std::string_view which) {
         if (time.has(key) && cut > 1e-6 * length) {
             time.errors().warn(time.place(key),
-                               fmt::format("[time] {} cuts {} of {} off the {} of the log; {} = \"{:.10g} s\" in the "
-                                           "case would use all of it",
-                                           key, in_minutes(std::min(cut, length)), in_minutes(length), which, key,
-                                           key == "start" ? *span.logged_from : *span.logged_to));
+                               "[time] {} cuts {} of {} off the {} of the log; {} = \"{:.10g} s\" in the "
+                               "case would use all of it",
+                               key, in_minutes(std::min(cut, length)), in_minutes(length), which, key,
+                               key == "start" ? *span.logged_from : *span.logged_to);
         }
     };
     warn("start", before, "beginning");
@@ -75,12 +75,11 @@ solver::Settings read_time_settings(TomlTable& root, const DrivenSpan& span, con
         warn_of_cut_log(time, into, span);
     }
     if (into.fixed_step && length / *into.fixed_step > many_steps) {
-        time.errors().warn(time.place("step"),
-                           fmt::format("step divides the run into {:.2g} pieces", length / *into.fixed_step));
+        time.errors().warn(time.place("step"), "step divides the run into {:.2g} pieces", length / *into.fixed_step);
     }
     for (const std::string_view key : {"tolerance", "largest_step"}) {
         if (into.fixed_step && time.has(key)) {
-            time.errors().warn(time.place(key), fmt::format("{} has no effect: the step is fixed", key));
+            time.errors().warn(time.place(key), "{} has no effect: the step is fixed", key);
         }
     }
     return into;

@@ -141,9 +141,10 @@ void warn_of_doubles(TomlTable& root, const solver::Problem& problem) {
         if (!other.empty() &&
             std::ranges::any_of(problem.effects, [&](const ActiveEffect& a) { return a.effect->id == other; })) {
             const TomlValue* table = root.content().find("effects")->find(active.effect->id);
-            root.errors().warn(table->place, fmt::format("{0} and {1} both act and count the same heat twice: "
-                                                         "[effects.{1}] on = false",
-                                                         active.effect->id, other));
+            root.errors().warn(table->place,
+                               "{0} and {1} both act and count the same heat twice: "
+                               "[effects.{1}] on = false",
+                               active.effect->id, other);
         }
     }
 }
@@ -163,13 +164,12 @@ void warn_of_two_shares(TomlTable& root, const GivenSignals& given, const solver
     if (by_number && resolved && share > 0.0 && share < 1.0) {
         const TomlValue* tables = root.content().find("effects");
         const TomlValue* key = tables->find({"sliding_friction", "partition"});
-        root.errors().warn(
-            key != nullptr ? key->place : tables->find(taking)->place,
-            fmt::format("partition = {:g} gives the road {:g} of the heat of sliding, and {} lets the road "
-                        "take a share of the rest in the contact: the road's share counts twice; write "
-                        "[effects.sliding_friction] partition = \"charm\", or 1 for heat that is made in "
-                        "the tread",
-                        share, 1.0 - share, taking));
+        root.errors().warn(key != nullptr ? key->place : tables->find(taking)->place,
+                           "partition = {:g} gives the road {:g} of the heat of sliding, and {} lets the road "
+                           "take a share of the rest in the contact: the road's share counts twice; write "
+                           "[effects.sliding_friction] partition = \"charm\", or 1 for heat that is made in "
+                           "the tread",
+                           share, 1.0 - share, taking);
     }
 }
 
@@ -234,12 +234,11 @@ void warn_of_unread_signals(TomlTable& root, const GivenSignals& given_signals,
         }
     }
     if (!read_by_sensors.empty()) {
-        root.errors().warn(root.place("drive"),
-                           fmt::format("no heat effect depends on {}; only {} {} it", listed(read_by_sensors),
-                                       listed(sensors), sensors.size() == 1 ? "uses" : "use"));
+        root.errors().warn(root.place("drive"), "no heat effect depends on {}; only {} {} it", listed(read_by_sensors),
+                           listed(sensors), sensors.size() == 1 ? "uses" : "use");
     }
     if (!unread.empty()) {
-        root.errors().warn(root.place("drive"), fmt::format("no active effect and no sensor uses {}", listed(unread)));
+        root.errors().warn(root.place("drive"), "no active effect and no sensor uses {}", listed(unread));
     }
 }
 

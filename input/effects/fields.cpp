@@ -110,9 +110,9 @@ void warn_of_idle_keys(const TomlTable& table, const ActiveEffect& active) {
     const auto warn = [&](std::string_view key) {
         if (table.has(key)) {
             table.errors().warn(table.place(key),
-                                fmt::format("{} is ignored: the field gives the watts; use = \"shape\" "
-                                            "lets it scale them",
-                                            key));
+                                "{} is ignored: the field gives the watts; use = \"shape\" "
+                                "lets it scale them",
+                                key);
         }
     };
     for (const physics::ParameterSpec& parameter : active.effect->parameters) {

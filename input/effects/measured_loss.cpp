@@ -43,9 +43,9 @@ void warn_beyond(const TomlTable& table, const physics::Signal& signal, const st
     const bool below = signal.name != "speed" && signal.name != "vertical_load" && low < at.front();
     if (below || high > at.back()) {
         table.errors().warn(table.place("total"),
-                            fmt::format("{} goes from {:.6g} to {:.6g} {}, the table from {:.6g} to {:.6g}: beyond "
-                                        "its ends the table is held",
-                                        signal.name, low, high, signal.unit, at.front(), at.back()));
+                            "{} goes from {:.6g} to {:.6g} {}, the table from {:.6g} to {:.6g}: beyond "
+                            "its ends the table is held",
+                            signal.name, low, high, signal.unit, at.front(), at.back());
     }
 }
 

@@ -53,10 +53,10 @@ void warn_of_width(const solver::Problem& problem, const physics::ActiveEffect& 
     const double touched = coverage(problem, contact);
     if (std::abs(touched - 1.0) > 0.15) {
         errors.warn(mention.place,
-                    fmt::format("the strip of tread that passes the contact is {:.3g} times as wide as the contact "
-                                "area over its length: its cells exchange with {:.3g} of the interface's conductance; "
-                                "give {} a profile of the contact's width, or layers its area",
-                                1.0 / touched, touched, mention.id));
+                    "the strip of tread that passes the contact is {:.3g} times as wide as the contact "
+                    "area over its length: its cells exchange with {:.3g} of the interface's conductance; "
+                    "give {} a profile of the contact's width, or layers its area",
+                    1.0 / touched, touched, mention.id);
     }
 }
 
@@ -70,10 +70,10 @@ void warn_of_heat_spread_evenly(const solver::Problem& problem, const Mention& c
     });
     if (spread != problem.effects.end() && (gives("slip_angle") || gives("slip_ratio"))) {
         errors.warn(contact.place,
-                    fmt::format("{} goes round the tire, but the heat of sliding is spread around it: the tread is not "
-                                "heated in the contact, and the road takes no share of that heat; write around = "
-                                "\"in_contact\" in [effects.sliding_friction]",
-                                contact.id));
+                    "{} goes round the tire, but the heat of sliding is spread around it: the tread is not "
+                    "heated in the contact, and the road takes no share of that heat; write around = "
+                    "\"in_contact\" in [effects.sliding_friction]",
+                    contact.id);
     }
 }
 

@@ -114,9 +114,9 @@ std::optional<solver::SignalHistory> read_signal_history(TomlTable& table, std::
     }
     if (samples.undefined > 0.0) {
         table.errors().warn(table.place(key),
-                            fmt::format("{} is not a finite number for {:.6g} s, for at most {:.6g} s from {:.6g} s "
-                                        "on: it is taken as straight between its neighbours",
-                                        key, samples.undefined, samples.longest_gap, samples.gap_from));
+                            "{} is not a finite number for {:.6g} s, for at most {:.6g} s from {:.6g} s "
+                            "on: it is taken as straight between its neighbours",
+                            key, samples.undefined, samples.longest_gap, samples.gap_from);
     }
     return std::move(samples.history);
 }

@@ -125,7 +125,7 @@ private:
         };
         // A channel of another kind, as newer loggers may have, is no damage to the others.
         const auto leave_out = [&](const std::string& what) {
-            errors_.warn(place_, fmt::format("channel {} {}: it is left out", called, what));
+            errors_.warn(place_, "channel {} {}: it is left out", called, what);
             return record.next;
         };
         const int kind = in_.unsigned16(at + 18);

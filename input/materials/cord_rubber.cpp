@@ -152,11 +152,10 @@ void check_cord_rubber(const CordRubberPly& ply, const std::string& name, const 
 void check_thickness(const CordRubberPly& ply, double thickness, const TomlTable& layer) {
     const double plies = ply.plies * ply.thickness;
     if (std::abs(thickness / plies - 1.0) > 0.01) {
-        layer.errors().warn(
-            layer.place("thickness"),
-            fmt::format("the layer is {:.6g} mm thick, but its {} of {:.6g} mm: {:.6g} mm", thickness * 1e3,
-                        ply.plies == 1 ? "ply is one" : fmt::format("{} plies are", ply.plies), ply.thickness * 1e3,
-                        plies * 1e3));
+        layer.errors().warn(layer.place("thickness"),
+                            "the layer is {:.6g} mm thick, but its {} of {:.6g} mm: {:.6g} mm", thickness * 1e3,
+                            ply.plies == 1 ? "ply is one" : fmt::format("{} plies are", ply.plies), ply.thickness * 1e3,
+                            plies * 1e3);
     }
 }
 

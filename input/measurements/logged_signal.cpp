@@ -138,9 +138,9 @@ bool judge_gaps(const std::string& name, const std::vector<double>& time, const 
     }
     if (const Missing missing = find_missing(time, value); missing.samples > 0) {
         errors.warn(remedy.place,
-                    fmt::format("{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
-                                "is taken as straight between its neighbours",
-                                name, missing.samples, missing.expected, missing.longest, missing.from));
+                    "{} is missing in {} of {} samples, for at most {:.6g} s from {:.6g} s on: it "
+                    "is taken as straight between its neighbours",
+                    name, missing.samples, missing.expected, missing.longest, missing.from);
     }
     return true;
 }

@@ -85,9 +85,9 @@ void check_law(InputErrors& errors, const Curve& law, const std::string& what, s
     if (!(law.minimum(tire.low, tire.high) > 0.0)) {
         const double T = lowest_place(law, tire);
         errors.warn(place,
-                    fmt::format("{} is {:.3g} {} at {:.0f} degC, and a tire may be run between -40 and 200 degC: hold "
-                                "the law where it was measured, range = [\"20 degC\", \"120 degC\"]",
-                                what, law.value(T), unit, T - celsius_zero));
+                    "{} is {:.3g} {} at {:.0f} degC, and a tire may be run between -40 and 200 degC: hold "
+                    "the law where it was measured, range = [\"20 degC\", \"120 degC\"]",
+                    what, law.value(T), unit, T - celsius_zero);
     }
 }
 
@@ -98,9 +98,10 @@ void warn_of_second_anisotropy(InputErrors& errors, const solver::Problem& probl
             return problem.materials[static_cast<std::size_t>(layer)].name == stock.material.name;
         });
         if (acts && active.effect->id == "belt_anisotropy") {
-            errors.warn(stock.ply->place, fmt::format("belt_anisotropy multiplies the conductivities of {} along the "
-                                                      "belt, which follow from its cords already",
-                                                      stock.material.name));
+            errors.warn(stock.ply->place,
+                        "belt_anisotropy multiplies the conductivities of {} along the "
+                        "belt, which follow from its cords already",
+                        stock.material.name);
         }
     }
 }
@@ -157,8 +158,7 @@ void check_laws(TomlTable& root, const solver::Problem& problem, const std::vect
     for (const Stock& stock : all) {
         const physics::Material& material = stock.material;
         if (!stock.used) {
-            root.errors().warn(stock.table->place,
-                               fmt::format("no layer is made of the material \"{}\"", material.name));
+            root.errors().warn(stock.table->place, "no layer is made of the material \"{}\"", material.name);
             continue;
         }
         const auto check = [&](const Curve& law, std::string_view key, std::string_view what) {
@@ -203,21 +203,19 @@ void settle_tire(TomlTable& root, bool has_tire, const GivenSignals& given, solv
     if (tire.reference_pressure > 0.0 && (seen.least_pressure < least_pressure * tire.reference_pressure ||
                                           seen.most_pressure > most_pressure * tire.reference_pressure)) {
         const bool low = seen.least_pressure < least_pressure * tire.reference_pressure;
-        errors.warn(
-            given.find("inflation_pressure")->second,
-            fmt::format("the inflation pressure is {:.4g} kPa, and the tire's laws hold at {:.4g} kPa: how they "
-                        "follow the pressure is known from {:.4g} to {:.4g} kPa",
-                        1e-3 * (low ? seen.least_pressure : seen.most_pressure), 1e-3 * tire.reference_pressure,
-                        1e-3 * least_pressure * tire.reference_pressure,
-                        1e-3 * most_pressure * tire.reference_pressure));
+        errors.warn(given.find("inflation_pressure")->second,
+                    "the inflation pressure is {:.4g} kPa, and the tire's laws hold at {:.4g} kPa: how they "
+                    "follow the pressure is known from {:.4g} to {:.4g} kPa",
+                    1e-3 * (low ? seen.least_pressure : seen.most_pressure), 1e-3 * tire.reference_pressure,
+                    1e-3 * least_pressure * tire.reference_pressure, 1e-3 * most_pressure * tire.reference_pressure);
     }
     if (seen.deflection > most_deflection * tire.section_height) {
         const auto load = given.find("vertical_load");
         errors.warn(load != given.end() ? load->second : root.place("drive"),
-                    fmt::format("{:.4g} N at {:.4g} s deflect the tire by {:.1f} mm, {:.0f} % of its section's height: "
-                                "the laws of the load know no more than {:.0f} %",
-                                seen.load, seen.time, 1e3 * seen.deflection,
-                                100.0 * seen.deflection / tire.section_height, 100.0 * most_deflection));
+                    "{:.4g} N at {:.4g} s deflect the tire by {:.1f} mm, {:.0f} % of its section's height: "
+                    "the laws of the load know no more than {:.0f} %",
+                    seen.load, seen.time, 1e3 * seen.deflection, 100.0 * seen.deflection / tire.section_height,
+                    100.0 * most_deflection);
     }
 }
 

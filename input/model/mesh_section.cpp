@@ -126,10 +126,11 @@ void warn_of_other_sizes(TomlTable& mesh, const mesh::Section& section, const st
                          const physics::Tire& tire) {
     const auto warn = [&](std::string_view what, double layers, double stated, std::string_view key) {
         if (std::abs(layers / stated - 1.0) > 0.1) {
-            mesh.errors().warn(mesh.place(), fmt::format("the layers of the {0} are {1:.4g} mm thick, but [tire] says "
-                                                         "{2:.4g} mm, from which the strain-energy loss follows; "
-                                                         "remedy: [tire] {3} = \"{1:.4g} mm\", or other layers",
-                                                         what, layers * 1e3, stated * 1e3, key));
+            mesh.errors().warn(mesh.place(),
+                               "the layers of the {0} are {1:.4g} mm thick, but [tire] says "
+                               "{2:.4g} mm, from which the strain-energy loss follows; "
+                               "remedy: [tire] {3} = \"{1:.4g} mm\", or other layers",
+                               what, layers * 1e3, stated * 1e3, key);
         }
     };
     warn("crown", thickness_of(section, stretches[crown]), tire.tread_thickness, "tread_thickness");
@@ -139,8 +140,8 @@ void warn_of_other_sizes(TomlTable& mesh, const mesh::Section& section, const st
     const double tread =
         stretches[crown].length + (stretches[shoulders].cells > 0 ? 2.0 * stretches[shoulders].length : 0.0);
     if (tread > 1.1 * tire.width) {
-        mesh.errors().warn(mesh.place("tread_width"), fmt::format("the tread is {:.4g} mm wide on a tire of {:.4g} mm",
-                                                                  tread * 1e3, tire.width * 1e3));
+        mesh.errors().warn(mesh.place("tread_width"), "the tread is {:.4g} mm wide on a tire of {:.4g} mm", tread * 1e3,
+                           tire.width * 1e3);
     }
 }
 

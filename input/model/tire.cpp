@@ -91,9 +91,8 @@ void check(const TomlTable& tire, const Tire& read, double nominal_radius) {
         tire.add_error("loaded_radius_at_zero", "the loaded radius at zero load is larger than the unloaded radius");
     }
     if (std::abs(read.unloaded_radius / nominal_radius - 1.0) > 0.05) {
-        tire.errors().warn(tire.place("unloaded_radius"),
-                           fmt::format("unloaded_radius is {:.1f} mm, but a {} has about {:.1f} mm",
-                                       read.unloaded_radius * 1e3, read.name, nominal_radius * 1e3));
+        tire.errors().warn(tire.place("unloaded_radius"), "unloaded_radius is {:.1f} mm, but a {} has about {:.1f} mm",
+                           read.unloaded_radius * 1e3, read.name, nominal_radius * 1e3);
     }
 }
 
@@ -129,10 +128,9 @@ TireTable read_tire(TomlTable& root) {
     check(tire, into, nominal_radius);
     const bool thesis_size = into.name.starts_with("225/50 R17") || into.name.starts_with("225/50R17");
     if (!thesis_size && !borrowed.empty()) {
-        tire.errors().warn(tire.place(),
-                           fmt::format("{} of the {} taken from the thesis's 225/50 R17: give {}", listed(borrowed),
-                                       into.name + (borrowed.size() > 1 ? " are" : " is"),
-                                       borrowed.size() > 1 ? "its own laws" : "its own law"));
+        tire.errors().warn(tire.place(), "{} of the {} taken from the thesis's 225/50 R17: give {}", listed(borrowed),
+                           into.name + (borrowed.size() > 1 ? " are" : " is"),
+                           borrowed.size() > 1 ? "its own laws" : "its own law");
     }
     return read;
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "input/effects/user_effects.hpp"
+#include "input/parameters/effect_names.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
@@ -216,96 +217,20 @@ std::string_view read_subject(const TomlTable& table) {
     return found;
 }
 
-/// The text of a key, empty after an error, and its place.
-LocatedString located(TomlTable& table, std::string_view key, Need need = Need::optional) {
-    std::string text = table.text(key, need).value_or("");
-    return {std::move(text), table.place(key)};
+/// The kind of parameter that a [[parameter]] frees by one of its subjects.
+const ParameterKind& kind_of(std::string_view subject) {
+    return *std::ranges::find_if(parameter_kinds(), [&](const ParameterKind& kind) {
+        return std::ranges::find(kind.subjects, subject) != kind.subjects.end();
+    });
 }
 
-/// Adds to a path the keys of a number: "h", or "h_by_patch" and "top" where patch = "top" is given beside the key.
-/// @returns false after an error
-bool add_number(TomlTable& table, LocatedString key, ParameterPath& path) {
-    constexpr std::array<std::string_view, 4> words{"patch", "layer", "zone", "channel"};
-    std::optional<LocatedString> place;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (!table.has(words[i])) {
-            continue;
-        }
-        if (place) {
-            table.add_error(words[i], "a number is free at one place, and here are two", "keep one of them");
-            return false;
-        }
-        place = located(table, words[i]);
-        key.text += key.text.empty() ? "" : key_ending(static_cast<physics::Scope>(i));
-    }
-    const bool is_at_place = place && !key.text.empty();
-    path.keys.push_back(std::move(key));
-    if (is_at_place) {
-        path.keys.push_back(std::move(*place));
-    }
-    return !is_at_place || !path.keys.back().text.empty();
-}
-
-/// The list in which the document has a user effect of this name; empty where it has none.
-std::string_view list_of(const TomlValue& document, const std::string& name) {
-    for (const UserEffectKind& kind : {user_heat_source, user_heat_transfer}) {
-        if (std::ranges::count(user_effect_names(document, kind.list), name) > 0) {
-            return kind.list;
-        }
-    }
-    return {};
-}
-
-/// The path of an effect's number: the catalogue's, which has to be named, or the one of a user effect.
-std::optional<ParameterPath> effect_path(TomlTable& table, std::string_view subject, const TomlValue& document) {
-    table.declare_keys({"key", "patch", "layer", "zone", "channel"});
-    const LocatedString name = located(table, subject);
-    const std::string_view list = subject == "effect" ? list_of(document, name.text) : subject;
-    LocatedString key = located(table, "key", list.empty() ? Need::required : Need::optional);
-    if (!list.empty() && !table.has("key")) {
-        key.text = (list == user_heat_source.list ? user_heat_source : user_heat_transfer).number;
-    }
-    ParameterPath path{.keys = {{list.empty() ? "effects" : std::string(list), table.place(subject)}, name}};
-    const bool is_sound = add_number(table, std::move(key), path) && !name.text.empty();
-    return is_sound ? std::optional(std::move(path)) : std::nullopt;
-}
-
-/// The paths that a [[parameter]] names in one of its forms: several of initial temperatures only. None after an error.
+/// The paths that a [[parameter]] names: several of initial temperatures only. None after an error.
 std::vector<ParameterPath> read_paths(TomlTable& table, std::string_view subject, const TomlValue& document) {
-    const auto only = [](std::optional<ParameterPath> path) {
-        return path ? std::vector{std::move(*path)} : std::vector<ParameterPath>{};
-    };
-    if (subject == "effect" || subject == "source" || subject == "exchange") {
-        return only(effect_path(table, subject, document));
+    if (subject != "key") {
+        return kind_of(subject).paths_of_table(table, subject, document);
     }
-    if (subject == "key") {
-        return only(ParameterPath::parse(located(table, "key"), document, table.errors()));
-    }
-    const SourceLocation place = table.place(subject);
-    if (subject == "camera") {
-        const LocatedString name = located(table, "camera");
-        const LocatedString key = located(table, "key", Need::required);
-        return only(ParameterPath{.keys = {{"camera", place}, name, key}});
-    }
-    if (subject == "material") {
-        const LocatedString name = located(table, "material");
-        const std::string law(table.word("law").value_or(""));
-        return only(ParameterPath{.keys = {{"material", place}, name, {law, table.place("law")}}});
-    }
-    if (subject == "link") {
-        const bool is_known = table.choice("link").has_value();
-        return is_known ? only(ParameterPath{.keys = {{"mesh", place}, {"link_conductivity", place}}})
-                        : std::vector<ParameterPath>{};
-    }
-    const std::size_t before = table.errors().count();
-    std::vector<ParameterPath> paths;
-    for (LocatedString& word : table.texts("initial")) {
-        paths.push_back({.keys = {{"initial", place}, std::move(word)}});
-    }
-    if (paths.empty() && table.errors().count() == before) {
-        table.add_error("initial", "initial names nothing", "write initial = \"temperature\", which is all of it");
-    }
-    return paths;
+    const auto path = ParameterPath::parse(located(table, "key"), document, table.errors());
+    return path ? std::vector{*path} : std::vector<ParameterPath>{};
 }
 
 }  // namespace
@@ -325,7 +250,7 @@ void read_parameters(TomlTable& root, const CaseAsRead& in, const std::vector<Ru
         const Knots knots = is_law ? read_knots(table) : Knots{};
         FreeParameters freed{.numbers = {}, .spec = {}};
         for (const ParameterPath& path : paths) {
-            std::optional<FreeParameters> found = resolve(path, in, knots);
+            std::optional<FreeParameters> found = find_parameters(path, in, knots);
             if (!found) {
                 return;
             }

@@ -8,7 +8,7 @@
 #include "input/columns/column_kinds.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/parameters/parameter_groups.hpp"
-#include "input/parameters/resolve.hpp"
+#include "input/parameters/parameter_kind.hpp"
 
 namespace tiretherm::input {
 

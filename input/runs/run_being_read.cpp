@@ -20,9 +20,9 @@ void warn_of_shared_numbers(const TomlValue& document, const RunsBeingRead& runs
     });
     if (numbers != nullptr && sharing > 1) {
         errors.warn(numbers->place,
-                    fmt::format("the numbers of the case count in each of {} runs: give them to the run "
-                                "in which they were measured",
-                                sharing));
+                    "the numbers of the case count in each of {} runs: give them to the run "
+                    "in which they were measured",
+                    sharing);
     }
 }
 
@@ -52,8 +52,7 @@ void leave_out_idle_corners(RunsBeingRead& runs, InputErrors& errors) {
             errors.add(last->table.place, fmt::format("no corner of the run {} measures anything", recording),
                        "map columns to sensors in [[corner]]: columns = { COLUMN = \"SENSOR\" }");
         } else if (!idle.empty()) {
-            errors.warn(last->table.place,
-                        fmt::format("the run {} measures nothing at {}: left out", recording, listed(idle)));
+            errors.warn(last->table.place, "the run {} measures nothing at {}: left out", recording, listed(idle));
             std::erase_if(runs, [&](const std::unique_ptr<RunBeingRead>& one) {
                 return one->table.recording == recording && !one->has_readings();
             });

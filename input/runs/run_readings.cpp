@@ -125,11 +125,10 @@ void warn_of_starts(const TomlValue& document, const solver::Problem& problem, c
             }
             const double start = problem.initial[static_cast<std::size_t>(lumped.node)];
             if (std::abs(*first - start) > far) {
-                errors.warn(
-                    initial->place,
-                    fmt::format("{} starts at {:.0f} degC, as the air around, and {} reads {:.0f} degC first: "
-                                "{} = \"{}\" in [initial] starts it there",
-                                lumped.name, start - 273.15, channel.name, *first - 273.15, lumped.name, channel.name));
+                errors.warn(initial->place,
+                            "{} starts at {:.0f} degC, as the air around, and {} reads {:.0f} degC first: "
+                            "{} = \"{}\" in [initial] starts it there",
+                            lumped.name, start - 273.15, channel.name, *first - 273.15, lumped.name, channel.name);
             }
         }
     }

@@ -5,7 +5,6 @@
 #include "input/studies/study.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 #include <tuple>
 
@@ -54,41 +53,32 @@ void put_in_order(std::vector<InputError>& errors, const std::string& study) {
     });
 }
 
-/// A sentence with its numbers taken out.
-std::string without_numbers(std::string_view sentence) {
-    std::string words;
-    for (const char c : sentence) {
-        const bool is_digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
-        if (!is_digit && !((c == '.' || c == '-') && words.ends_with('#'))) {
-            words += c;
-        } else if (is_digit && !words.ends_with('#')) {
-            words += '#';
-        }
-    }
-    return words;
-}
-
-/// What runs say, each sentence once: of those that differ in their numbers alone the first.
+/// What runs say, each once: of those of one form at one place the first.
 class SaidByRuns {
 public:
-    void take(const std::vector<std::string>& sentences) {
+    void take(const std::vector<InputWarning>& warnings) {
         ++runs_;
-        for (const std::string& sentence : unique(sentences)) {
-            auto known = std::ranges::find(said_, without_numbers(sentence), &Said::words);
+        for (const InputWarning& one : warnings) {
+            auto known = std::ranges::find_if(said_, [&](const Said& said) {
+                const InputWarning& first = said.first;
+                const bool is_alike = one.form.empty() ? one.what == first.what : one.form == first.form;
+                return said.last_run != runs_ && is_alike && one.file == first.file && one.line == first.line;
+            });
             if (known == said_.end()) {
-                known = said_.insert(said_.end(), {without_numbers(sentence), sentence});
+                known = said_.insert(said_.end(), {.first = one});
             }
-            known->differs = known->differs || known->first != sentence;
-            known->runs += known->last_run == runs_ ? 0 : 1;
+            known->differs = known->differs || known->first.what != one.what;
+            known->runs += 1;
             known->last_run = runs_;
         }
     }
     [[nodiscard]] std::vector<std::string> sentences() const {
         std::vector<std::string> all;
         for (const Said& said : said_) {
+            const std::string first = render(said.first);
             all.push_back(said.runs == runs_ && !said.differs
-                              ? said.first
-                              : fmt::format("{} (in {} of {} runs{})", said.first, said.runs, runs_,
+                              ? first
+                              : fmt::format("{} (in {} of {} runs{})", first, said.runs, runs_,
                                             said.differs ? ", with numbers of their own" : ""));
         }
         return all;
@@ -96,8 +86,7 @@ public:
 
 private:
     struct Said {
-        std::string words;
-        std::string first;
+        InputWarning first;
         bool differs = false;
         std::size_t runs = 0;
         std::size_t last_run = 0;
@@ -218,7 +207,7 @@ private:
                            "vary no names of sensors");
             }
             add_new(reading.errors, errors.in_order());
-            said.take(render(errors.warnings(), made.corners.size()));
+            said.take(merged(errors.warnings(), made.corners.size()));
             const std::vector<std::string> files = errors.files();
             reading.files.insert(reading.files.end(), files.begin(), files.end());
             reading.files = unique(reading.files);

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "input/parameters/effect_names.hpp"
 #include "input/parameters/parameter_path.hpp"
 #include "input/parameters/study_value.hpp"
 #include "input/text/quantity.hpp"

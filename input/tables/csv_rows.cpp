@@ -151,8 +151,8 @@ void CsvRows::report(const std::vector<Ragged>& ragged, const char* end, bool is
         const bool is_last = trim({line.text.data() + line.text.size(), end}).empty();
         if (fields < n_columns_ && is_last && n_rows_ > 0 && is_log) {
             errors.warn(place_in(line, line.text),
-                        fmt::format("the last line has {} of {} values: the logger stopped in it, and it is left out",
-                                    fields, n_columns_));
+                        "the last line has {} of {} values: the logger stopped in it, and it is left out", fields,
+                        n_columns_);
             continue;
         }
         if (limiter.only_counts()) {

@@ -266,7 +266,7 @@ const std::vector<double>& DataFile::numbers_of(const ColumnRequest& request, st
     }
     room = column.number;
     if (const std::string remark = share_out(room, least); !remark.empty()) {
-        errors.warn(head.place, fmt::format("{}: {}", head.heading.name, remark));
+        errors.warn(head.place, "{}: {}", head.heading.name, remark);
     }
     return room;
 }

@@ -94,31 +94,43 @@ std::string render(const InputError& error) {
     return text;
 }
 
-std::vector<std::string> render(const std::vector<InputWarning>& warnings, std::size_t n_corners) {
+std::vector<InputWarning> merged(const std::vector<InputWarning>& warnings, std::size_t n_corners) {
     struct Merged {
         const InputWarning* first = nullptr;
         std::vector<std::string> corners{};  ///< that say the same
     };
-    std::vector<Merged> merged;
+    std::vector<Merged> alike;
     for (const InputWarning& one : warnings) {
         const auto is_same = [&](const Merged& other) {
             return std::tie(one.file, one.line, one.what) ==
                        std::tie(other.first->file, other.first->line, other.first->what) &&
                    one.corner.empty() == other.corners.empty();
         };
-        auto same = std::ranges::find_if(merged, is_same);
-        if (same == merged.end()) {
-            same = merged.insert(merged.end(), {.first = &one});
+        auto same = std::ranges::find_if(alike, is_same);
+        if (same == alike.end()) {
+            same = alike.insert(alike.end(), {.first = &one});
         }
         if (!one.corner.empty() && std::ranges::find(same->corners, one.corner) == same->corners.end()) {
             same->corners.push_back(one.corner);
         }
     }
-    std::vector<std::string> sentences;
-    for (const auto& [first, corners] : merged) {
+    std::vector<InputWarning> all;
+    for (const auto& [first, corners] : alike) {
         const bool is_of_some = !corners.empty() && (n_corners < 2 || corners.size() < n_corners);
-        sentences.push_back((first->file.empty() ? "" : spelled(first->file, first->line) + ": ") +
-                            (is_of_some ? fmt::format("at {}: ", listed(corners)) : "") + first->what);
+        all.push_back(*first);
+        all.back().what.insert(0, is_of_some ? fmt::format("at {}: ", listed(corners)) : "");
+    }
+    return all;
+}
+
+std::string render(const InputWarning& warning) {
+    return (warning.file.empty() ? "" : spelled(warning.file, warning.line) + ": ") + warning.what;
+}
+
+std::vector<std::string> render(const std::vector<InputWarning>& warnings, std::size_t n_corners) {
+    std::vector<std::string> sentences;
+    for (const InputWarning& one : merged(warnings, n_corners)) {
+        sentences.push_back(render(one));
     }
     return sentences;
 }
@@ -189,11 +201,13 @@ void InputErrors::add(const SourceLocation& place, ErrorText error) {
     found_.push_back({where, std::move(error)});
 }
 
-void InputErrors::warn(const SourceLocation& place, std::string what, std::string_view corner) {
+void InputErrors::add_warning(const SourceLocation& place, std::string_view corner, std::string_view form,
+                              std::string what) {
     warnings_.push_back({.file = place.file >= 0 ? file(place.file) : std::string(),
                          .line = place.line,
                          .corner = std::string(corner),
-                         .what = shortened(std::move(what))});
+                         .what = shortened(std::move(what)),
+                         .form = std::string(form)});
 }
 
 std::string InputErrors::spell(const SourceLocation& place) const { return spelled(file(place.file), place.line); }

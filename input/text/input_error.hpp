@@ -7,7 +7,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace tiretherm::input {
 
@@ -40,12 +43,18 @@ struct InputWarning {
     int line = 0;          ///< 0: the file as a whole
     std::string corner{};  ///< of the car, FL, FR, RL or RR, that it is about; empty: no single one
     std::string what;
+    std::string form{};  ///< of which kind it is: `what` before its values were put in; empty: it has none
 };
 
 /// The error as a compiler shows it: `file:line:column: what`, the line, a caret under the place, the remedy.
 /// @returns lines, each ended by a newline
 [[nodiscard]] std::string render(const InputError& error);
 
+/// Warnings that are alike but for their corners once, each with the corners in its sentence where they are not all of the case.
+/// @param n_corners of the case; 0 and 1: all that is said of a corner is of this one
+[[nodiscard]] std::vector<InputWarning> merged(const std::vector<InputWarning>& warnings, std::size_t n_corners);
+/// A warning as a sentence: "FILE:LINE: what".
+[[nodiscard]] std::string render(const InputWarning& warning);
 /// Warnings as sentences, those that are alike once: "FILE:LINE: at FL and FR: what". Of all corners of the case they are not named.
 /// @param n_corners of the case; 0 and 1: all that is said of a corner is of this one
 [[nodiscard]] std::vector<std::string> render(const std::vector<InputWarning>& warnings, std::size_t n_corners);
@@ -91,7 +100,19 @@ public:
         add(place, ErrorText{std::move(what), std::move(remedy)});
     }
     /// @param corner that it is about; empty: no single one
-    void warn(const SourceLocation& place, std::string what, std::string_view corner = {});
+    void warn(const SourceLocation& place, std::string what) { add_warning(place, {}, {}, std::move(what)); }
+    /// The same of a sentence with values, as fmt::format takes them.
+    template <typename... Args>
+    void warn(const SourceLocation& place, fmt::format_string<Args...> form, Args&&... values) {
+        warn_of_corner(place, {}, form, std::forward<Args>(values)...);
+    }
+    /// The same of one corner of a car. @param corner empty: no single one
+    template <typename... Args>
+    void warn_of_corner(const SourceLocation& place, std::string_view corner, fmt::format_string<Args...> form,
+                        Args&&... values) {
+        const fmt::string_view text = form;
+        add_warning(place, corner, {text.data(), text.size()}, fmt::format(form, std::forward<Args>(values)...));
+    }
 
     [[nodiscard]] std::size_t count() const { return found_.size(); }
     [[nodiscard]] const std::string& file(int number) const { return files_[static_cast<std::size_t>(number)].shown; }
@@ -118,6 +139,8 @@ private:
     std::shared_ptr<TableShelf> tables_;
     std::vector<File> files_;
     std::vector<Found> found_;
+    void add_warning(const SourceLocation& place, std::string_view corner, std::string_view form, std::string what);
+
     std::vector<InputWarning> warnings_;
 };
 

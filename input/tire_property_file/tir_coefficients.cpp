@@ -75,16 +75,16 @@ void check_key(const TirLines& lines, const TirLines::Entry& entry, const Law& l
     if (!use) {
         if (concerns_pure_slip(entry)) {
             const std::string near = nearest(entry.key, known_keys());
-            errors.warn(entry.key_place, fmt::format("{} is unknown and not used{}", entry.key,
-                                                     near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+            errors.warn(entry.key_place, "{} is unknown and not used{}", entry.key,
+                        near.empty() ? "" : fmt::format("; did you mean {}?", near));
         }
     } else if (const TirLines::Entry* first = lines.find(entry.key); first != &entry) {
         errors.add(entry.key_place,
                    fmt::format("{} stands in two sections, first at {}", entry.key, errors.spell(first->place)),
                    "remove one of the lines");
     } else if (!used(*use, law)) {
-        errors.warn(entry.key_place, fmt::format("{} is not used by MF {}, the version of the file", entry.key,
-                                                 *use == Use::only_52 ? "6.1" : "5.2"));
+        errors.warn(entry.key_place, "{} is not used by MF {}, the version of the file", entry.key,
+                    *use == Use::only_52 ? "6.1" : "5.2");
     }
 }
 
@@ -96,9 +96,9 @@ void turn_negative_peak(const TirLines& lines, std::string_view key, double& fri
         friction = -friction;
         with_load = -with_load;
         errors.warn(lines.find(key)->place,
-                    fmt::format("{} is below 0: the force does not depend on the sign of D, and is "
-                                "that of {:g}",
-                                key, friction));
+                    "{} is below 0: the force does not depend on the sign of D, and is "
+                    "that of {:g}",
+                    key, friction);
     }
 }
 

@@ -21,22 +21,21 @@ std::string percent(double share) {
 void warn_of_limits(const CornerHistory& corner, const VehicleSettings& settings, InputErrors& errors) {
     const std::string_view name = physics::corner_names[static_cast<std::size_t>(settings.corner)];
     if (corner.exceeds > 0.0) {
-        errors.warn(settings.place,
-                    fmt::format("the forces exceed what the tire can give in {} of the time: the slips are then "
-                                "those of the highest force",
-                                percent(corner.exceeds)),
-                    name);
+        errors.warn_of_corner(settings.place, name,
+                              "the forces exceed what the tire can give in {} of the time: the slips are then "
+                              "those of the highest force",
+                              percent(corner.exceeds));
     }
     if (corner.lifted > 0.0) {
-        errors.warn(settings.place,
-                    fmt::format("the wheel is in the air in {} of the time: the other wheels carry its load",
-                                percent(corner.lifted)),
-                    name);
+        errors.warn_of_corner(settings.place, name,
+                              "the wheel is in the air in {} of the time: the other wheels carry its load",
+                              percent(corner.lifted));
     }
     if (corner.rolls_over > 0.0) {
-        errors.warn(settings.place, fmt::format("the car would roll over in {} of the time: check the height of its "
-                                                "centre of gravity, its tracks and the lateral acceleration",
-                                                percent(corner.rolls_over)));
+        errors.warn(settings.place,
+                    "the car would roll over in {} of the time: check the height of its "
+                    "centre of gravity, its tracks and the lateral acceleration",
+                    percent(corner.rolls_over));
     }
 }
 
@@ -104,17 +103,14 @@ VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFor
     read.model = model;
     const std::string_view name = physics::corner_names[static_cast<std::size_t>(settings->corner)];
     if (!names.empty()) {
-        errors.warn(settings->place,
-                    fmt::format("{} {} computed from the motion of the car, and the speed of the "
-                                "tire from that of the car and the yaw rate",
-                                listed(names), names.size() > 1 ? "are" : "is"),
-                    name);
+        errors.warn_of_corner(settings->place, name,
+                              "{} {} computed from the motion of the car, and the speed of the "
+                              "tire from that of the car and the yaw rate",
+                              listed(names), names.size() > 1 ? "are" : "is");
     }
     if (!kept.empty()) {
-        errors.warn(settings->place,
-                    fmt::format("{} {} not computed: the case gives {}", listed(kept), kept.size() > 1 ? "are" : "is",
-                                kept.size() > 1 ? "them" : "it"),
-                    name);
+        errors.warn_of_corner(settings->place, name, "{} {} not computed: the case gives {}", listed(kept),
+                              kept.size() > 1 ? "are" : "is", kept.size() > 1 ? "them" : "it");
     }
     for (const std::string& source : motion.sources) {
         errors.warn(settings->place, source);

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "input/parameters/fitted_case.hpp"
+#include "input/parameters/overlay.hpp"
 #include "input/runs/reader.hpp"
 #include "post/comparison/corner_sections.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
@@ -72,7 +72,7 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
     const input::Experiment& model = *record.result.extended_model;
     const Simulator simulator(model, record.observations);
     std::vector<solver::Problem> problems;
-    std::vector<input::FittedRun> runs;
+    std::vector<input::OverlaidRun> runs;
     problems.reserve(model.runs.size());
     for (std::size_t r = 0; r < model.runs.size(); ++r) {
         problems.push_back(simulator.problem(r, record.result.extended_values));
@@ -89,7 +89,7 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
     for (std::string& line : lines_of(reason_of(record))) {
         remarks.push_back(std::move(line));
     }
-    return input::fitted_case({.original = record.case_file,
+    return input::overlay_text({.original = record.case_file,
                                .before = &record.experiment.runs.front().problem,
                                .fitted = &problems.front(),
                                .parameters = model.parameters,

@@ -2,7 +2,7 @@
 // The files of a fit: the case with the fitted values; samples, parameters and laws as tables; a plan as JSON.
 #include <fmt/format.h>
 
-#include "input/parameters/fitted_case.hpp"
+#include "input/parameters/overlay.hpp"
 #include "post/comparison/corner_sections.hpp"
 #include "post/identification/fitted_laws.hpp"
 #include "post/identification/identification_report.hpp"
@@ -38,7 +38,7 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
     const input::Experiment& experiment = record.experiment;
     const Simulator simulator(experiment, record.observations);
     std::vector<solver::Problem> fitted;
-    std::vector<input::FittedRun> runs;
+    std::vector<input::OverlaidRun> runs;
     fitted.reserve(experiment.runs.size());
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         fitted.push_back(simulator.problem(r, record.result.values));
@@ -53,7 +53,7 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
     for (const input::MeasuredRun& run : experiment.runs) {
         runs_named += (runs_named.empty() ? "" : ", ") + run.name;
     }
-    return input::fitted_case({.original = record.case_file,
+    return input::overlay_text({.original = record.case_file,
                                .before = &experiment.runs.front().problem,
                                .fitted = &fitted.front(),
                                .parameters = experiment.parameters,

@@ -11,7 +11,7 @@
 #include "input/drive/corner.hpp"
 #include "input/measurements/made_up_log.hpp"
 #include "input/measurements/measured_bench.hpp"
-#include "input/parameters/fitted_case.hpp"
+#include "input/parameters/overlay.hpp"
 
 namespace tiretherm::input {
 
@@ -138,7 +138,7 @@ TEST(Corner, FittedValuesAreReadAgain) {
     const Experiment& experiment = *reading.experiment;
     ASSERT_EQ(experiment.parameters.size(), 5U);
     std::vector<solver::Problem> fitted;
-    std::vector<FittedRun> runs;
+    std::vector<OverlaidRun> runs;
     fitted.reserve(3);
     for (std::size_t r = 0; r < 3; ++r) {
         solver::Problem& problem = fitted.emplace_back(experiment.runs[r].problem);
@@ -156,7 +156,7 @@ TEST(Corner, FittedValuesAreReadAgain) {
                         .recording = experiment.runs[r].recording,
                         .corner = experiment.runs[r].corner});
     }
-    const std::string text = fitted_case({.original = written.folder() / "case.toml",
+    const std::string text = overlay_text({.original = written.folder() / "case.toml",
                                           .before = &experiment.runs.front().problem,
                                           .fitted = &fitted.front(),
                                           .parameters = experiment.parameters,

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "input/effects/user_signals.hpp"
-#include "input/parameters/fitted_case.hpp"
+#include "input/parameters/overlay.hpp"
 #include "post/report/file.hpp"
 #include "solver/time_integration/march.hpp"
 #include "tests/input/measurements/measured_bench.hpp"
@@ -305,7 +305,7 @@ source = "throttle_heat"
     const Experiment before = read_sound(file);
     ASSERT_EQ(before.runs.size(), 2U);
     Experiment fitted = before;
-    FittedCase what{.original = file,
+    Overlay what{.original = file,
                     .before = &before.runs.front().problem,
                     .fitted = &fitted.runs.front().problem,
                     .parameters = before.parameters,
@@ -335,7 +335,7 @@ source = "throttle_heat"
     }
     fs::create_directories(written.folder() / "out");
     const fs::path extended = written.folder() / "out/extended.toml";
-    post::replace_file(extended, fitted_case(what, extended.parent_path()));
+    post::replace_file(extended, overlay_text(what, extended.parent_path()));
     SCOPED_TRACE(text_of(extended));
     const Experiment again = read_sound(extended);
     ASSERT_EQ(again.runs.size(), 2U);
@@ -365,7 +365,7 @@ source = "throttle_heat"
     solver::move(problem, wall, 2.0 / 3.0, 4.5);
     const std::vector<solver::FreeParameter> moved{wall};
     const fs::path twice = written.folder() / "out/twice.toml";
-    post::replace_file(twice, fitted_case({.original = extended,
+    post::replace_file(twice, overlay_text({.original = extended,
                                            .before = &again.runs.front().problem,
                                            .fitted = &problem,
                                            .parameters = moved,
@@ -388,9 +388,9 @@ TEST(UserEffects, CannotBeWrittenWhenNobodySaysWhatTheyFollow) {
     solver::Problem problem = before.runs.front().problem;
     solver::add_user_effect(
         problem, {.name = "heat", .follows = "1", .places = {"bulk"}, .signal = {{0.0}, {1.0}}, .amount = 1.0});
-    const FittedCase what{
+    const Overlay what{
         .original = file, .before = &before.runs.front().problem, .fitted = &problem, .parameters = {}, .runs = {}};
-    EXPECT_THROW(static_cast<void>(fitted_case(what, written.folder())), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(overlay_text(what, written.folder())), std::invalid_argument);
 }
 
 }  // namespace tiretherm::input

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The address of one number of a case, in all its forms: from text to path, to the document, to the problem and back.
-#include "input/parameters/parameter_path.hpp"
+#include "input/parameters/effect_names.hpp"
+#include "input/parameters/parameter_kind.hpp"
 
 #include <array>
 #include <utility>
@@ -194,7 +195,7 @@ TEST(ParameterPath, FreesWhatTheFormsOfAParameterFree) {
         ASSERT_EQ(by_form.size(), 1U);
         expect_same(by_path.front(), by_form.front());
         const Experiment experiment = read_again(written.add("plain.toml", section_case));
-        EXPECT_EQ(ParameterPath::of(experiment.runs.front().problem, by_path.front()).text(), path);
+        EXPECT_EQ(path_of(experiment.runs.front().problem, by_path.front()).text(), path);
     }
 }
 
@@ -216,7 +217,7 @@ TEST(ParameterPath, FreesALawAtItsTemperatures) {
         const Experiment experiment = read_again(written.add("plain.toml", text));
         for (std::size_t i = 0; i < 2; ++i) {
             expect_same(by_path[i], by_form[i]);
-            EXPECT_EQ(ParameterPath::of(experiment.runs.front().problem, by_path[i]).text(), path);
+            EXPECT_EQ(path_of(experiment.runs.front().problem, by_path[i]).text(), path);
         }
     }
 }
@@ -235,7 +236,7 @@ TEST(ParameterPath, FreesNumbersOfACamera) {
         ASSERT_EQ(by_path.size(), 1U);
         ASSERT_EQ(by_form.size(), 1U);
         expect_same(by_path.front(), by_form.front());
-        EXPECT_EQ(ParameterPath::of(experiment.runs.front().problem, by_path.front()).text(), "camera.camera." + key);
+        EXPECT_EQ(path_of(experiment.runs.front().problem, by_path.front()).text(), "camera.camera." + key);
     }
 }
 

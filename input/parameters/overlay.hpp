@@ -14,7 +14,7 @@
 namespace tiretherm::input {
 
 /// A measured run that a case was fitted to.
-struct FittedRun {
+struct OverlaidRun {
     std::string name;
     const solver::Problem* problem = nullptr;  ///< with the fitted values
     std::filesystem::path file{};              ///< of its measured values, where it was given beside the case
@@ -23,12 +23,12 @@ struct FittedRun {
 };
 
 /// A case and what a fit has made of it.
-struct FittedCase {
+struct Overlay {
     std::filesystem::path original;           ///< the case's file
     const solver::Problem* before = nullptr;  ///< the case as it is
     const solver::Problem* fitted = nullptr;  ///< with the fitted values, and with effects that were switched on
     std::span<const solver::FreeParameter> parameters;  ///< that were fitted
-    std::vector<FittedRun> runs;         ///< in the order of FreeParameter::runs; may be empty for the case's own
+    std::vector<OverlaidRun> runs;       ///< in the order of FreeParameter::runs; may be empty for the case's own
     std::vector<std::string> remarks{};  ///< lines to stand at the top
     /// Effects of the user's own that `fitted` has and `before` lacks: what they follow stands nowhere else.
     std::vector<solver::UserEffect> user_effects{};
@@ -38,6 +38,6 @@ struct FittedCase {
 /// The case with its fitted values as a TOML text: it includes the original and lays over it what has changed, each
 /// number with all its digits, so that reading it gives the fitted problem again.
 /// @param folder where the text will stand: paths in it are relative to there
-[[nodiscard]] std::string fitted_case(const FittedCase& fitted, const std::filesystem::path& folder);
+[[nodiscard]] std::string overlay_text(const Overlay& overlay, const std::filesystem::path& folder);
 
 }  // namespace tiretherm::input

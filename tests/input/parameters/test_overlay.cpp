@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A fitted case written as TOML and read back gives the fitted problem again, for every kind of parameter.
 
-#include "input/parameters/fitted_case.hpp"
+#include "input/parameters/overlay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,7 @@ Experiment moved(const Experiment& experiment, const std::vector<double>& values
 Experiment written_and_read(const fs::path& original, const Experiment& before, const Experiment& fitted, bool data,
                             const fs::path& file) {
     fs::create_directories(file.parent_path());
-    FittedCase what{.original = original,
+    Overlay what{.original = original,
                     .before = &before.runs.front().problem,
                     .fitted = &fitted.runs.front().problem,
                     .parameters = before.parameters,
@@ -67,7 +67,7 @@ Experiment written_and_read(const fs::path& original, const Experiment& before, 
     for (const MeasuredRun& run : fitted.runs) {
         what.runs.push_back({.name = run.name, .problem = &run.problem, .file = data ? run.file : ""});
     }
-    post::replace_file(file, fitted_case(what, file.parent_path()));
+    post::replace_file(file, overlay_text(what, file.parent_path()));
     SCOPED_TRACE(text_of(file));
     return read(file);
 }
@@ -160,7 +160,7 @@ std::string including(std::string_view name) {
 
 }  // namespace
 
-TEST(FittedCase, ReadsBackAsItWasFitted) {
+TEST(Overlay, ReadsBackAsItWasFitted) {
     const Written written;
     const fs::path file =
         written.add("cases/mine/tire.toml", including("section.toml") + std::string(section) + std::string(runs) + R"(
@@ -226,7 +226,7 @@ initial = ["tread", "gas"]
 }
 
 // The link of two lumps is the material's law until it is fitted; a case without runs starts where it was fitted.
-TEST(FittedCase, OfTwoNodesHasItsLinkAndItsStart) {
+TEST(Overlay, OfTwoNodesHasItsLinkAndItsStart) {
     const Written written;
     const fs::path file = written.add("tire.toml", including("tire.toml") + R"(
 [[measured]]
@@ -253,7 +253,7 @@ initial = ["surface", "bulk"]
 }
 
 // Files given beside the case take the place of its runs, in what is written too; paths lead from where it stands.
-TEST(FittedCase, NamesTheFilesThatWereGivenBesideTheCase) {
+TEST(Overlay, NamesTheFilesThatWereGivenBesideTheCase) {
     const Written written;
     const std::string log = "time [s],bulk_temperature [degC]\n0,23\n30,25\n60,26\n";
     const fs::path one = written.add("logs/one.csv", log);
@@ -281,7 +281,7 @@ key = "Hc"
 }
 
 // What [data] says of the columns of such files is then said of each run.
-TEST(FittedCase, SaysOfEachFileHowItsColumnsAreRead) {
+TEST(Overlay, SaysOfEachFileHowItsColumnsAreRead) {
     const Written written;
     const fs::path log = written.add("logs/one.csv", "t [min],T bulk,junk [1]\n0,23,1\n1,25,2\n2,26,3\n");
     const fs::path file = written.add("cases/tire.toml", including("tire.toml") + R"(
@@ -306,7 +306,7 @@ key = "Hc"
 }
 
 // A run that the case names by its file and laps alone is the same run in what lies over it.
-TEST(FittedCase, FindsARunThatOnlyItsFileNames) {
+TEST(Overlay, FindsARunThatOnlyItsFileNames) {
     const Written written;
     written.add(
         "drum.csv",
@@ -329,7 +329,7 @@ initial = "bulk"
 }
 
 // A cause that the case does not have is switched on with all its numbers, also where the case had switched it off.
-TEST(FittedCase, SwitchesOnWhatWasOff) {
+TEST(Overlay, SwitchesOnWhatWasOff) {
     const Written written;
     const fs::path file = written.add("tire.toml", including("section.toml") + R"(
 [effects.sidewall_convection]
@@ -369,7 +369,7 @@ uncertainty = "1 K"
 }
 
 // An effect that is on several times, at places or for inputs of its own, becomes one table that says the same.
-TEST(FittedCase, PutsOneEffectAtSeveralPlacesIntoOneTable) {
+TEST(Overlay, PutsOneEffectAtSeveralPlacesIntoOneTable) {
     const Written written;
     const fs::path file = written.add("tire.toml", including("section.toml") + R"(
 [[sensor]]
@@ -427,7 +427,7 @@ uncertainty = "1 K"
 }
 
 // Every parameter of the catalogue is written in its own unit and read back to the last digit.
-TEST(FittedCase, UnitsOfAllParametersAreRead) {
+TEST(Overlay, UnitsOfAllParametersAreRead) {
     for (const physics::Effect* effect : physics::catalogue()) {
         for (const physics::ParameterSpec& parameter : effect->parameters) {
             const double third = parameter.standard / 3.0 + (parameter.standard == 0.0 ? 1.0 / 3.0 : 0.0);
@@ -440,16 +440,16 @@ TEST(FittedCase, UnitsOfAllParametersAreRead) {
     }
 }
 
-TEST(FittedCase, SaysWhyItCannotBeWritten) {
+TEST(Overlay, SaysWhyItCannotBeWritten) {
     const Written written;
     const fs::path file = written.add("tire.toml", including("tire.toml"));
     const Reading reading = read_case(file);
     ASSERT_TRUE(reading.problem.has_value());
-    const FittedCase what{
+    const Overlay what{
         .original = file, .before = &*reading.problem, .fitted = &*reading.problem, .parameters = {}, .runs = {}};
     try {
         const fs::path target = written.folder() / "no/such/folder/fitted.toml";
-        post::replace_file(target, fitted_case(what, target.parent_path()));
+        post::replace_file(target, overlay_text(what, target.parent_path()));
         FAIL() << "written";
     } catch (const post::FileError& error) {
         EXPECT_NE(std::string(error.what()).find("no/such/folder/fitted.toml"), std::string::npos) << error.what();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a fitted case says of effects: numbers that were fitted, and effects that were switched on.
-#include "input/parameters/fitted_effects.hpp"
+// Effects laid over a case: parameters that were fitted, and effects that were switched on.
+#include "input/parameters/effect_parameters.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "input/parameters/effect_names.hpp"
 #include "input/text/word_lists.hpp"
 #include "input/toml/toml_text.hpp"
 #include "physics/user_effect_place.hpp"
@@ -24,8 +25,7 @@ using toml_text::text_value;
 using toml_text::texts_value;
 
 void lay_number(TomlValue& over, const ActiveEffect& active, std::size_t parameter) {
-    lay_over(over, ParameterPath::of(active, parameter),
-             quantity_value(active[parameter], active.effect->parameters[parameter].unit));
+    path_of(active, parameter).put(over, quantity_value(active[parameter], active.effect->parameters[parameter].unit));
 }
 
 /// All places that have a value of their own: a table in braces replaces the original's.
@@ -40,9 +40,9 @@ void lay_places(TomlValue& over, const solver::Problem& problem, const ActiveEff
         }
     }
     if (!values.entries.empty()) {
-        ParameterPath path = ParameterPath::of(active, parameter);
+        ParameterPath path = path_of(active, parameter);
         path.keys.back().text += key_ending(scope);
-        lay_over(over, path, std::move(values));
+        path.put(over, std::move(values));
     }
 }
 
@@ -81,8 +81,7 @@ void lay_effect(TomlValue& over, const solver::Problem& problem, const ActiveEff
     const Effect& effect = *active.effect;
     const ActiveEffect standard = physics::activate(effect, problem.mesh);
     const auto lay = [&](std::string_view key, TomlValue value) {
-        lay_over(over, {.keys = {{"effects", {}}, {std::string(effect.id), {}}, {std::string(key), {}}}},
-                 std::move(value));
+        ParameterPath::of({"effects", effect.id, key}).put(over, std::move(value));
     };
     lay("on", toml_text::boolean_value(true));
     if (!effect.patches.empty() && active.patches != standard.patches) {
@@ -150,10 +149,10 @@ void lay_user_effect(TomlValue& over, const ActiveEffect& active, std::span<cons
     if (found == user_effects.end()) {
         throw std::invalid_argument(fmt::format("nobody has said what {} follows", active.name));
     }
-    ParameterPath path = ParameterPath::of(active, 0);
+    ParameterPath path = path_of(active, 0);
     const auto lay = [&](const char* key, TomlValue value) {
         path.keys.back().text = key;
-        lay_over(over, path, std::move(value));
+        path.put(over, std::move(value));
     };
     lay("follows", text_value(found->follows));
     lay("at", found->places.size() == 1 ? text_value(found->places.front()) : texts_value(found->places));
@@ -165,29 +164,11 @@ void lay_user_effect(TomlValue& over, const ActiveEffect& active, std::span<cons
 
 }  // namespace
 
-void lay_over(TomlValue& over, const ParameterPath& path, TomlValue value) {
-    const std::string& list = path.keys.front().text;
-    if (list == "material" || list == "source" || list == "exchange" || list == "camera" || list == "run") {
-        TomlValue& tables = over.at(list);
-        tables.kind = TomlValue::Kind::array;
-        if (tables.find_named(path.keys[1].text) == nullptr) {
-            TomlValue& item = tables.items.emplace_back();
-            item.kind = TomlValue::Kind::table;
-            item.set("name", text_value(path.keys[1].text));
-        }
-    }
-    InputErrors errors;
-    if (!path.set(over, value, errors)) {
-        throw std::logic_error(fmt::format("{} cannot be laid over a case", path.text()));
-    }
-}
-
-void lay_effects_over(TomlValue& over, const solver::Problem& before, const solver::Problem& fitted,
-                      std::span<const solver::FreeParameter> parameters,
-                      std::span<const solver::UserEffect> user_effects) {
+void write_effects(TomlValue& over, const Overlay& overlay, const TomlValue& /*original*/) {
+    const solver::Problem& fitted = *overlay.fitted;
     for (std::size_t e = 0; e < fitted.effects.size(); ++e) {
         const ActiveEffect& active = fitted.effects[e];
-        const bool was_on = std::ranges::any_of(before.effects, [&](const ActiveEffect& other) {
+        const bool was_on = std::ranges::any_of(overlay.before->effects, [&](const ActiveEffect& other) {
             return other.effect == active.effect && other.name == active.name;
         });
         std::vector<const ActiveEffect*> parts;
@@ -203,11 +184,11 @@ void lay_effects_over(TomlValue& over, const solver::Problem& before, const solv
             continue;
         }
         if (!was_on && physics::is_user_effect(*active.effect)) {
-            lay_user_effect(over, active, user_effects);
+            lay_user_effect(over, active, overlay.user_effects);
         } else if (!was_on) {
             lay_effect(over, fitted, active);
         }
-        for (const solver::FreeParameter& number : parameters) {
+        for (const solver::FreeParameter& number : overlay.parameters) {
             if (was_on && number.kind == solver::FreeParameter::Kind::effect && number.effect == e &&
                 number.runs.empty()) {
                 lay_fitted(over, fitted, number);
@@ -216,8 +197,8 @@ void lay_effects_over(TomlValue& over, const solver::Problem& before, const solv
     }
 }
 
-void lay_corner_over(TomlValue& into, const solver::Problem& fitted, std::span<const solver::FreeParameter> parameters,
-                     std::size_t run) {
+void write_effects_of_run(TomlValue& into, const solver::Problem& fitted,
+                          std::span<const solver::FreeParameter> parameters, std::size_t run) {
     for (const solver::FreeParameter& number : parameters) {
         if (number.kind == solver::FreeParameter::Kind::effect && !number.runs.empty() && number.belongs_to(run)) {
             lay_fitted(into, fitted, number);

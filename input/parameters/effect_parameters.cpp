@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths of numbers of effects: those of the catalogue, the user's own and those of cameras.
+// Parameters of effects that are on, everywhere or at one place.
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "input/effects/user_effects.hpp"
-#include "input/parameters/resolve.hpp"
+#include "input/parameters/effect_names.hpp"
+#include "input/parameters/effect_parameters.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
@@ -21,41 +22,6 @@ using physics::ActiveEffect;
 using physics::Effect;
 using physics::Scope;
 
-/// What follows the effect in a path: "h", or "h_by_patch.top".
-struct NumberKey {
-    std::string key;
-    SourceLocation at{};
-    std::optional<Scope> scope{};
-    LocatedString place{};  ///< where `scope` is given
-};
-
-NumberKey number_key(const ParameterPath& path) {
-    const LocatedString& last = path.keys[2];
-    NumberKey found{.key = last.text, .at = last.place};
-    for (const Scope scope : {Scope::patch, Scope::layer, Scope::zone, Scope::channel}) {
-        if (path.keys.size() == 4 && last.text.ends_with(key_ending(scope))) {
-            found.key.resize(last.text.size() - key_ending(scope).size());
-            found.scope = scope;
-            found.place = path.keys[3];
-        }
-    }
-    return found;
-}
-
-/// Whether a path has the keys of a number: three, or four where its place is named. Otherwise an error.
-bool has_shape(const ParameterPath& path, const CaseAsRead& in) {
-    const std::size_t n = path.keys.size();
-    const bool has_places = path.keys[0].text != "camera";
-    const bool is_sound = n == 3 || (n == 4 && has_places && number_key(path).scope);
-    if (!is_sound) {
-        const std::string whole = fmt::format("{}.{}", path.keys[0].text, path.keys[1].text);
-        in.errors.add(path.keys[n == 2 ? 1 : 3].place, fmt::format("{} does not end at a number", path.text()),
-                      has_places ? fmt::format("write \"{0}.KEY\", or at one place \"{0}.KEY_by_patch.PLACE\"", whole)
-                                 : fmt::format("write \"{}.KEY\"", whole));
-    }
-    return is_sound;
-}
-
 std::vector<std::string> keys_of(const Effect& effect) {
     std::vector<std::string> keys;
     for (const physics::ParameterSpec& parameter : effect.parameters) {
@@ -65,7 +31,7 @@ std::vector<std::string> keys_of(const Effect& effect) {
 }
 
 /// Index of the parameter that a key names, or an error.
-std::optional<std::size_t> find_number(const CaseAsRead& in, const Effect& effect, const NumberKey& number) {
+std::optional<std::size_t> find_number(const CaseAsRead& in, const Effect& effect, const EffectKey& number) {
     const int found = physics::find_parameter(effect, number.key);
     if (found >= 0 || number.key.empty()) {
         return found >= 0 ? std::optional(static_cast<std::size_t>(found)) : std::nullopt;
@@ -175,25 +141,6 @@ bool resolve_place(const CaseAsRead& in, Scope scope, const LocatedString& place
     return true;
 }
 
-/// A number of an effect that is on, everywhere or at the place that its key names.
-std::optional<FreeParameters> free_number(const CaseAsRead& in, std::size_t effect, std::size_t parameter,
-                                          const NumberKey& key) {
-    const ActiveEffect& active = in.problem.effects[effect];
-    const physics::ParameterSpec& found = active.effect->parameters[parameter];
-    solver::FreeParameter number;
-    number.name = fmt::format("{}.{}", active.title(), found.key);
-    number.unit = found.unit;
-    number.kind = solver::FreeParameter::Kind::effect;
-    number.effect = effect;
-    number.parameter = parameter;
-    number.low = found.low;
-    number.high = found.high;
-    if (key.scope && !resolve_place(in, *key.scope, key.place, active, number)) {
-        return std::nullopt;
-    }
-    return FreeParameters{.numbers = {std::move(number)}, .spec = quantity_specs::of(found)};
-}
-
 void report_unknown_effect(const CaseAsRead& in, const LocatedString& id) {
     std::vector<std::string> known;
     for (const Effect* effect : physics::catalogue()) {
@@ -225,7 +172,51 @@ std::string with_layers(const Effect& effect, const CaseAsRead& in) {
 
 }  // namespace
 
-std::optional<FreeParameters> resolve_effect(const ParameterPath& path, const CaseAsRead& in) {
+EffectKey effect_key(const ParameterPath& path) {
+    const LocatedString& last = path.keys[2];
+    EffectKey found{.key = last.text, .at = last.place};
+    for (const Scope scope : {Scope::patch, Scope::layer, Scope::zone, Scope::channel}) {
+        if (path.keys.size() == 4 && last.text.ends_with(key_ending(scope))) {
+            found.key.resize(last.text.size() - key_ending(scope).size());
+            found.scope = scope;
+            found.place = path.keys[3];
+        }
+    }
+    return found;
+}
+
+bool has_shape(const ParameterPath& path, const CaseAsRead& in) {
+    const std::size_t n = path.keys.size();
+    const bool has_places = path.keys[0].text != "camera";
+    const bool is_sound = n == 3 || (n == 4 && has_places && effect_key(path).scope);
+    if (!is_sound) {
+        const std::string whole = fmt::format("{}.{}", path.keys[0].text, path.keys[1].text);
+        in.errors.add(path.keys[n == 2 ? 1 : 3].place, fmt::format("{} does not end at a number", path.text()),
+                      has_places ? fmt::format("write \"{0}.KEY\", or at one place \"{0}.KEY_by_patch.PLACE\"", whole)
+                                 : fmt::format("write \"{}.KEY\"", whole));
+    }
+    return is_sound;
+}
+
+std::optional<FreeParameters> free_effect_parameter(const CaseAsRead& in, std::size_t effect, std::size_t parameter,
+                                                    const EffectKey& key) {
+    const ActiveEffect& active = in.problem.effects[effect];
+    const physics::ParameterSpec& found = active.effect->parameters[parameter];
+    solver::FreeParameter number;
+    number.name = fmt::format("{}.{}", active.title(), found.key);
+    number.unit = found.unit;
+    number.kind = solver::FreeParameter::Kind::effect;
+    number.effect = effect;
+    number.parameter = parameter;
+    number.low = found.low;
+    number.high = found.high;
+    if (key.scope && !resolve_place(in, *key.scope, key.place, active, number)) {
+        return std::nullopt;
+    }
+    return FreeParameters{.numbers = {std::move(number)}, .spec = quantity_specs::of(found)};
+}
+
+std::optional<FreeParameters> find_effect_parameter(const ParameterPath& path, const CaseAsRead& in) {
     const LocatedString& id = path.keys[1];
     const Effect* effect = physics::find_effect(id.text);
     if (effect == nullptr || physics::is_user_effect(*effect)) {
@@ -235,7 +226,7 @@ std::optional<FreeParameters> resolve_effect(const ParameterPath& path, const Ca
     if (!has_shape(path, in)) {
         return std::nullopt;
     }
-    const NumberKey key = number_key(path);
+    const EffectKey key = effect_key(path);
     const std::optional<std::size_t> number = find_number(in, *effect, key);
     const std::vector<ActiveEffect>& on = in.problem.effects;
     // By its name: an effect that follows a field in frames has a description of its own.
@@ -257,78 +248,19 @@ std::optional<FreeParameters> resolve_effect(const ParameterPath& path, const Ca
                       fmt::format("give [effects.{}] a number to begin with", effect->id));
         return std::nullopt;
     }
-    return number ? free_number(in, static_cast<std::size_t>(active - on.begin()), *number, key) : std::nullopt;
+    return number ? free_effect_parameter(in, static_cast<std::size_t>(active - on.begin()), *number, key)
+                  : std::nullopt;
 }
 
-std::optional<FreeParameters> resolve_user_effect(const ParameterPath& path, const CaseAsRead& in) {
-    const UserEffectKind& kind = path.keys[0].text == user_heat_source.list ? user_heat_source : user_heat_transfer;
-    const LocatedString& name = path.keys[1];
-    const std::vector<std::string> known = user_effect_names(in.document, kind.list);
-    if (std::ranges::find(known, name.text) == known.end()) {
-        in.errors.add(name.place, fmt::format("there is no [[{}]] \"{}\"", kind.list, name.text),
-                      suggest(name.text, known, kind.list == user_heat_source.list ? "sources" : "exchanges"));
-        return std::nullopt;
+ParameterPath path_of(const physics::ActiveEffect& active, std::size_t parameter) {
+    const physics::Effect& effect = *active.effect;
+    const std::string_view key = effect.parameters[parameter].key;
+    if (physics::is_user_effect(effect)) {
+        const UserEffectKind& kind = effect.id == user_heat_transfer.effect ? user_heat_transfer : user_heat_source;
+        return ParameterPath::of({kind.list, active.name, key});
     }
-    if (!has_shape(path, in)) {
-        return std::nullopt;
-    }
-    const NumberKey key = number_key(path);
-    if (key.key != kind.number) {
-        in.errors.add(key.at, fmt::format("[[{}]] {} has no number \"{}\" to fit", kind.list, name.text, key.key),
-                      fmt::format("its number is {}", kind.number));
-        return std::nullopt;
-    }
-    const std::size_t index = solver::find_user_effect(in.problem, name.text);
-    if (index == in.problem.effects.size()) {
-        return std::nullopt;  // it has been reported
-    }
-    return free_number(in, index, 0, key);
-}
-
-std::optional<FreeParameters> resolve_camera(const ParameterPath& path, const CaseAsRead& in) {
-    const LocatedString& name = path.keys[1];
-    if (std::ranges::find(in.cameras, name.text, &Camera::name) == in.cameras.end()) {
-        in.errors.add(
-            name.place, fmt::format("there is no camera \"{}\"", name.text),
-            in.cameras.empty() ? "add [[camera]] with this name" : suggest(name.text, names_of(in.cameras), "cameras"));
-        return std::nullopt;
-    }
-    if (!has_shape(path, in)) {
-        return std::nullopt;
-    }
-    // A camera's numbers are those of the effects that carry its name.
-    const NumberKey key = number_key(path);
-    std::vector<std::string> known;
-    for (std::size_t e = 0; e < in.problem.effects.size(); ++e) {
-        const ActiveEffect& active = in.problem.effects[e];
-        if (active.name != name.text || active.effect->sensor_model() == nullptr) {
-            continue;
-        }
-        for (std::size_t p = 0; p < active.effect->parameters.size(); ++p) {
-            const std::string_view its = active.effect->parameters[p].key;
-            if (its == "reflected_temperature" && active.choices.front() == 0) {
-                continue;
-            }
-            if (its == key.key) {
-                return free_number(in, e, p, key);
-            }
-            known.emplace_back(its);
-        }
-    }
-    const bool is_grey = key.key == "emissivity" || key.key == "reflected_temperature";
-    if (in.problem.mesh.n_nodes == 0 || key.key.empty() || (is_grey && path.find(in.document) != nullptr)) {
-        return std::nullopt;
-    }
-    if (is_grey) {
-        in.errors.add(
-            key.at, fmt::format("the [[camera]] {} does not state {}", name.text, key.key),
-            fmt::format("add {} to it: there the search begins",
-                        key.key == "emissivity" ? "emissivity = 0.95" : "reflected_temperature = \"23 degC\""));
-    } else {
-        in.errors.add(key.at, fmt::format("a camera has no number \"{}\"", key.key),
-                      suggest(key.key, known, "numbers"));
-    }
-    return std::nullopt;
+    return active.name.empty() ? ParameterPath::of({"effects", effect.id, key})
+                               : ParameterPath::of({"camera", active.name, key});
 }
 
 }  // namespace tiretherm::input

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths of the numbers of [vehicle]: "vehicle.mass".
+// The numbers of [vehicle] as free parameters: "vehicle.mass".
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "input/effects/user_effects.hpp"
-#include "input/parameters/resolve.hpp"
+#include "input/parameters/parameter_kind.hpp"
 #include "input/schema/all_tables.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/toml/toml_text.hpp"
 #include "input/vehicle/vehicle_numbers.hpp"
 
 namespace tiretherm::input {
@@ -49,9 +50,8 @@ void refuse_followers(const CaseAsRead& in, const LocatedString& key) {
     }
 }
 
-}  // namespace
-
-std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const CaseAsRead& in) {
+std::optional<FreeParameters> find_vehicle_number(const ParameterPath& path, const CaseAsRead& in,
+                                                  const Knots& /*knots*/) {
     const LocatedString& key = path.keys.back();
     if (in.document.find("vehicle") == nullptr) {
         in.errors.add(path.keys.front().place, "the case has no [vehicle]", "remove this [[parameter]]");
@@ -101,6 +101,35 @@ std::optional<FreeParameters> resolve_vehicle(const ParameterPath& path, const C
         number.high = (1.0 - least_share) * all[VehicleNumber::wheelbase];
     }
     return FreeParameters{.numbers = {std::move(number)}, .spec = spec};
+}
+
+ParameterPath path_of_vehicle_number(const solver::Problem& /*problem*/, const solver::FreeParameter& number) {
+    return ParameterPath::of({"vehicle", vehicle_numbers()[number.parameter].key});
+}
+
+bool is_vehicle_number(const solver::FreeParameter& parameter) {
+    return parameter.kind == solver::FreeParameter::Kind::input;
+}
+
+void write_vehicle(TomlValue& over, const Overlay& overlay, const TomlValue& /*original*/) {
+    for (const solver::FreeParameter& number : overlay.parameters) {
+        if (is_vehicle_number(number)) {
+            path_of_vehicle_number(*overlay.fitted, number)
+                .put(over, toml_text::quantity_value(overlay.fitted->input_numbers[number.parameter], number.unit));
+        }
+    }
+}
+
+}  // namespace
+
+ParameterKind vehicle_kind() {
+    return {.subjects = {},
+            .takes = [](const ParameterPath& path) { return path.keys.front().text == "vehicle"; },
+            .has = is_vehicle_number,
+            .paths_of_table = nullptr,
+            .find = find_vehicle_number,
+            .path_of = path_of_vehicle_number,
+            .write = write_vehicle};
 }
 
 }  // namespace tiretherm::input

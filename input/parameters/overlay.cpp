@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A case laid over another: the original included, and what was fitted at the paths of its parameters.
+#include "input/parameters/overlay.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "input/parameters/effect_parameters.hpp"
+#include "input/text/characters.hpp"
+#include "input/text/word_lists.hpp"
+#include "input/toml/document.hpp"
+#include "input/toml/toml_text.hpp"
+
+namespace tiretherm::input {
+
+namespace {
+
+namespace fs = std::filesystem;
+using toml_text::list_value;
+using toml_text::table_value;
+using toml_text::text_value;
+using toml_text::texts_value;
+
+/// A value of the case as a value in braces or brackets, whether or not it had a heading of its own.
+TomlValue in_one_line(TomlValue value) {
+    value.in_braces = true;
+    for (TomlValue& item : value.items) {
+        item.in_braces = true;
+    }
+    return value;
+}
+
+/// The values that differ from corner to corner.
+void lay_corners_over(TomlValue& over, const Overlay& fitted) {
+    std::vector<TomlValue> corners;
+    std::set<std::string> done;
+    for (std::size_t r = 0; r < fitted.runs.size(); ++r) {
+        const OverlaidRun& run = fitted.runs[r];
+        if (run.corner.empty() || !done.insert(run.corner).second) {
+            continue;
+        }
+        TomlValue table = table_value();
+        table.in_braces = false;
+        table.set("name", text_value(run.corner));
+        write_effects_of_run(table, *run.problem, fitted.parameters, r);
+        if (table.entries.size() > 1) {
+            corners.push_back(std::move(table));
+        }
+    }
+    if (!corners.empty()) {
+        over.set("corner", list_value(std::move(corners)));
+    }
+}
+
+/// What a fitted case says of one run: its name where its file does not give it, its file, and how that is read.
+TomlValue run_table_of(const OverlaidRun& run, const TomlValue* data, const fs::path& folder) {
+    TomlValue table = table_value();
+    table.in_braces = false;
+    const std::string& name = run.corner.empty() ? run.name : run.recording;
+    // A list in which a name is missing takes the place of the original's runs instead of joining them.
+    if (run.file.empty() || name != run.file.stem().string()) {
+        table.set("name", text_value(name));
+    }
+    if (!run.file.empty()) {
+        table.set("file", toml_text::path_value(run.file, folder));
+        for (const Entry& entry : data != nullptr ? data->entries : std::vector<Entry>{}) {
+            table.set(entry.key, in_one_line(entry.value));
+        }
+    }
+    return table;
+}
+
+/// The runs that start at fitted temperatures, and those whose files were given beside the case.
+void lay_runs_over(TomlValue& over, const Overlay& fitted, const TomlValue& original, const fs::path& folder) {
+    const TomlValue* data = original.find("data");  // how columns of files beside the case are read
+    std::set<std::size_t> moved;
+    for (const solver::FreeParameter& number : fitted.parameters) {
+        if (is_initial(number)) {
+            moved.insert(number.runs.begin(), number.runs.end());
+        }
+    }
+    std::vector<TomlValue> runs;
+    const OverlaidRun* last = nullptr;  // with a table; the corners of a run follow each other
+    for (std::size_t i = 0; i < fitted.runs.size(); ++i) {
+        const OverlaidRun& run = fitted.runs[i];
+        const bool starts_elsewhere = moved.contains(i);
+        if (run.file.empty() && !starts_elsewhere) {
+            continue;
+        }
+        const bool is_same_run = last != nullptr && !run.corner.empty() && last->recording == run.recording;
+        if (!is_same_run) {
+            runs.push_back(run_table_of(run, data, folder));
+        }
+        last = &run;
+        if (!starts_elsewhere) {
+            continue;
+        }
+        if (run.corner.empty()) {
+            runs.back().set("initial", initial_value(*run.problem));
+            continue;
+        }
+        TomlValue& corners = runs.back().at("corner");
+        if (corners.kind == TomlValue::Kind::nothing) {
+            corners = table_value();
+        }
+        corners.set(run.corner, table_value({{"initial", initial_value(*run.problem)}}));
+    }
+    if (!runs.empty()) {
+        over.set("run", list_value(std::move(runs)));
+    }
+}
+
+std::string heading(const Overlay& fitted) {
+    std::vector<std::string> to;
+    for (const OverlaidRun& run : fitted.runs) {
+        to.push_back(run.file.empty() ? run.name : run.file.filename().string());
+    }
+    // A title, a file or a remark of several lines must not end the comment.
+    const std::string values = to.empty() ? "fitted values" : fmt::format("values fitted to {}", listed(to));
+    std::string text = fmt::format("# {}: {}\n", printable(fitted.before->title), printable(values));
+    for (const std::string& remark : fitted.remarks) {
+        text += fmt::format("# {}\n", printable(remark));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string overlay_text(const Overlay& fitted, const fs::path& folder) {
+    InputErrors errors;
+    const TomlValue original = read_document(fitted.original, errors).value_or(TomlValue{});
+    TomlValue over = table_value();
+    over.set("include", list_value({toml_text::path_value(fitted.original, folder)}));
+    if (const TomlValue* mesh = original.find("mesh");
+        mesh != nullptr && (fitted.mesh.layers > 0.0 || fitted.mesh.finer > 1)) {
+        over.set("unset", toml_text::texts_value({"mesh"}));
+        TomlValue changed = *mesh;
+        change_mesh(changed, fitted.mesh);
+        over.set("mesh", std::move(changed));
+    }
+    for (const ParameterKind& kind : parameter_kinds()) {
+        kind.write(over, fitted, original);
+    }
+    lay_corners_over(over, fitted);
+    lay_runs_over(over, fitted, original, folder);
+    return heading(fitted) + toml_text::document(over);
+}
+
+}  // namespace tiretherm::input
