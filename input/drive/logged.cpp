@@ -9,6 +9,7 @@
 
 #include "input/drive/drive_reader.hpp"
 #include "input/drive/run_columns.hpp"
+#include "input/drive/run_inputs.hpp"
 #include "input/measurements/dead_stretches.hpp"
 #include "input/measurements/logged_signal.hpp"
 #include "input/tables/data_file.hpp"
