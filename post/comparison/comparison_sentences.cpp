@@ -34,9 +34,9 @@ std::string bias_sentence(const ComparedChannel& channel) {
     if (std::abs(f.bias) < plain * f.bias_deviation && times_the_sensor(channel) > beyond_sensor) {
         return fmt::format(
             "bias {} +- {} {}: an effective sample size of {:.0f} is too small to tell it from zero, but the rms of {} "
-            "{} is {:.2g} times the sensor's noise",
+            "{} is {} times the sensor's noise",
             shown_signed(channel, f.bias), deviation, unit, f.independent, shown(channel, f.rmse), unit,
-            times_the_sensor(channel));
+            to_its_digits(times_the_sensor(channel), times_the_sensor(channel)));
     }
     if (std::abs(f.bias) < plain * f.bias_deviation) {
         return fmt::format("no significant bias: {} +- {} {} (effective sample size {:.0f})",
@@ -157,7 +157,7 @@ std::string headline(const ComparedChannel& channel, const std::vector<std::stri
                                               f.bias < 0.0 ? "-" : "+", size);
     text += fmt::format("; rms {} {}", shown(channel, f.rmse), unit);
     if (const double times = times_the_sensor(channel); times > 0.0) {
-        text += fmt::format(", {:.2g} times the {} of {} {}", times,
+        text += fmt::format(", {} times the {} of {} {}", to_its_digits(times, times),
                             channel.sensor_is_stated ? "sensor's standard deviation" : "noise",
                             shown(channel, channel.sensor), unit);
     }
