@@ -9,6 +9,7 @@
 #include <span>
 
 #include "input/text/column_names.hpp"
+#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
 
@@ -135,6 +136,17 @@ std::vector<CarColumn> car_columns(std::string_view heading) {
             const bool is_derived = is_motion(rule.name) && has_any(words, "gps calc");
             const int behind = is_derived ? static_cast<int>(rules_of_car().size()) : 0;
             found.push_back({.name = std::string(rule.name), .corner = {}, .rank = rank + behind});
+        }
+    }
+    return found;
+}
+
+std::vector<CarColumn> car_columns(const Heading& heading) {
+    std::vector<CarColumn> found = car_columns(heading.name);
+    for (const auto& [spec, word] :
+         {std::pair(quantity_specs::temperature, " temperature"), std::pair(QuantitySpec{.unit = "Pa"}, " pressure")}) {
+        if (found.empty() && heading.unit && !read_heading_unit(heading, spec).error) {
+            found = car_columns(heading.name + word);
         }
     }
     return found;

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "input/tables/columns.hpp"
+
 namespace tiretherm::input {
 
 /// A thing that a column may be.
@@ -21,6 +23,8 @@ struct CarColumn {
 /// What loggers mean by a name such as "G Force Lat", "GPS Speed" or "TyreTemp_FL2 inner", in English.
 /// @param heading without its unit  @returns the likeliest first; empty: nothing that a tire's temperature follows from
 [[nodiscard]] std::vector<CarColumn> car_columns(std::string_view heading);
+/// The same, where the unit may say what the name leaves out: "Tyre FL [degC]", "Ambient [degF]", "Tyre RR [psi]".
+[[nodiscard]] std::vector<CarColumn> car_columns(const Heading& heading);
 
 /// The corner that a heading names as FL, LF, "front left" ...; empty: none.
 [[nodiscard]] std::string corner_of(std::string_view heading);

@@ -214,7 +214,7 @@ private:
             if (columns_[i].is_used() || !columns_[i].reason.empty() || !is_printable(heading.name)) {
                 continue;
             }
-            for (CarColumn& is : car_columns(heading.name)) {
+            for (CarColumn& is : car_columns(heading)) {
                 const ColumnMeaning* meaning = meaning_of(is.name);
                 if (!suits(heading, meaning)) {
                     continue;

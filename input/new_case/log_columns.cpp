@@ -200,7 +200,7 @@ void report_wrong_units(const Log& log, const std::vector<ColumnMeaning>& meanin
         if (column.is_used() || !given.contains(static_cast<std::size_t>(column.column))) {
             continue;
         }
-        const std::vector<CarColumn> names = car_columns(column.heading.name);
+        const std::vector<CarColumn> names = car_columns(column.heading);
         const std::string name = !column.suggestion.empty() ? column.suggestion
                                  : names.empty()            ? ""
                                                             : names.front().name;

@@ -210,7 +210,7 @@ std::string live_column_beside(const DataFile& file, int used, const UserColumn&
     for (std::size_t i = 0; i < file.heads().size(); ++i) {
         const Heading& heading = file.heads()[i].heading;
         const std::string base = base_unit(heading.unit);
-        const std::vector<CarColumn> may_be = car_columns(heading.name);
+        const std::vector<CarColumn> may_be = car_columns(heading);
         if (std::cmp_equal(i, used) || std::ranges::find(may_be, signal->name, &CarColumn::name) == may_be.end() ||
             (heading.unit && !factor_to(*signal, base))) {
             continue;

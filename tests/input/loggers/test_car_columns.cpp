@@ -88,6 +88,22 @@ TEST(CarColumns, OfAnArrayHaveTheirNumber) {
     EXPECT_FALSE(car_columns("Tire Temp FL").front().place.has_value());
 }
 
+// A name that says where alone is what its unit measures; a pressure is not a temperature, a percentage is neither.
+TEST(CarColumns, AreWhatTheirUnitMeasuresWhereTheNameLeavesItOut) {
+    const auto only = [](const char* name, const char* unit) {
+        const std::vector<CarColumn> found = car_columns(Heading{.name = name, .unit = unit});
+        return found.empty() ? std::string() : found.front().name + " " + found.front().corner;
+    };
+    EXPECT_EQ(only("Tyre FL", "degC"), "surface_temperature FL");
+    EXPECT_EQ(only("Tyre FL", "degF"), "surface_temperature FL");
+    EXPECT_EQ(only("Tyre FL", "psi"), "inflation_pressure FL");
+    EXPECT_EQ(only("Tyre FL", "%"), "");
+    EXPECT_EQ(only("Ambient", "degC"), "air_temperature ");
+    EXPECT_EQ(only("Ambient", "bar"), "");
+    EXPECT_EQ(only("Brake RR", "degC"), "brake_temperature RR");
+    EXPECT_TRUE(car_columns(Heading{.name = "Tyre FL", .unit = {}}).empty());
+}
+
 TEST(CarColumns, WithASignThatDiffersAreAsked) {
     for (const char* heading : {"Camber FL", "Slip Angle RL", "Slip Ratio RR"}) {
         ASSERT_EQ(car_columns(heading).size(), 1U) << heading;
