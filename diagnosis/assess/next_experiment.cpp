@@ -238,7 +238,6 @@ void plan_next(const DiagnosisState& found, Diagnosis& into) {
             continue;
         }
         input::Experiment planned = planned_run_of(experiment, manoeuvre);
-        const Simulator fitted(experiment, observations);
         // Numbers of all runs at their fitted values, the start as the first run's.
         const Observations seen = observe(planned);
         Simulator base(planned, seen);
