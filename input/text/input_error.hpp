@@ -99,7 +99,7 @@ public:
     void add(const SourceLocation& place, std::string what, std::string remedy = {}) {
         add(place, ErrorText{std::move(what), std::move(remedy)});
     }
-    /// @param corner that it is about; empty: no single one
+    /// Something unusual that a run can still be made of.
     void warn(const SourceLocation& place, std::string what) { add_warning(place, {}, {}, std::move(what)); }
     /// The same of a sentence with values, as fmt::format takes them.
     template <typename... Args>

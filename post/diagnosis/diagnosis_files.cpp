@@ -90,14 +90,14 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
         remarks.push_back(std::move(line));
     }
     return input::overlay_text({.original = record.case_file,
-                               .before = &record.experiment.runs.front().problem,
-                               .fitted = &problems.front(),
-                               .parameters = model.parameters,
-                               .runs = std::move(runs),
-                               .remarks = std::move(remarks),
-                               .user_effects = record.result.extended_user_effects,
-                               .mesh = record.result.extended_mesh},
-                              directory);
+                                .before = &record.experiment.runs.front().problem,
+                                .fitted = &problems.front(),
+                                .parameters = model.parameters,
+                                .runs = std::move(runs),
+                                .remarks = std::move(remarks),
+                                .user_effects = record.result.extended_user_effects,
+                                .mesh = record.result.extended_mesh},
+                               directory);
 }
 
 }  // namespace

@@ -54,13 +54,13 @@ std::string toml(const IdentificationRecord& record, const std::filesystem::path
         runs_named += (runs_named.empty() ? "" : ", ") + run.name;
     }
     return input::overlay_text({.original = record.case_file,
-                               .before = &experiment.runs.front().problem,
-                               .fitted = &fitted.front(),
-                               .parameters = experiment.parameters,
-                               .runs = std::move(runs),
-                               .remarks = {fmt::format("tiretherm identify: {}, fitted to {}",
-                                                       experiment.runs.front().problem.title, runs_named)}},
-                              directory);
+                                .before = &experiment.runs.front().problem,
+                                .fitted = &fitted.front(),
+                                .parameters = experiment.parameters,
+                                .runs = std::move(runs),
+                                .remarks = {fmt::format("tiretherm identify: {}, fitted to {}",
+                                                        experiment.runs.front().problem.title, runs_named)}},
+                               directory);
 }
 
 }  // namespace

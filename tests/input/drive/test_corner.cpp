@@ -157,11 +157,11 @@ TEST(Corner, FittedValuesAreReadAgain) {
                         .corner = experiment.runs[r].corner});
     }
     const std::string text = overlay_text({.original = written.folder() / "case.toml",
-                                          .before = &experiment.runs.front().problem,
-                                          .fitted = &fitted.front(),
-                                          .parameters = experiment.parameters,
-                                          .runs = runs},
-                                         written.folder());
+                                           .before = &experiment.runs.front().problem,
+                                           .fitted = &fitted.front(),
+                                           .parameters = experiment.parameters,
+                                           .runs = runs},
+                                          written.folder());
     const ExperimentReading again = read_experiment(written.add("fitted.toml", text));
     ASSERT_TRUE(again.experiment) << said(again, written) << text;
     for (std::size_t r = 0; r < 3; ++r) {

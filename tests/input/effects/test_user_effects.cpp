@@ -306,10 +306,10 @@ source = "throttle_heat"
     ASSERT_EQ(before.runs.size(), 2U);
     Experiment fitted = before;
     Overlay what{.original = file,
-                    .before = &before.runs.front().problem,
-                    .fitted = &fitted.runs.front().problem,
-                    .parameters = before.parameters,
-                    .runs = {}};
+                 .before = &before.runs.front().problem,
+                 .fitted = &fitted.runs.front().problem,
+                 .parameters = before.parameters,
+                 .runs = {}};
     for (MeasuredRun& run : fitted.runs) {
         solver::Problem& problem = run.problem;
         solver::move(problem, before.parameters[0], 500.0, 1000.0 / 3.0);
@@ -366,11 +366,11 @@ source = "throttle_heat"
     const std::vector<solver::FreeParameter> moved{wall};
     const fs::path twice = written.folder() / "out/twice.toml";
     post::replace_file(twice, overlay_text({.original = extended,
-                                           .before = &again.runs.front().problem,
-                                           .fitted = &problem,
-                                           .parameters = moved,
-                                           .runs = {}},
-                                          twice.parent_path()));
+                                            .before = &again.runs.front().problem,
+                                            .fitted = &problem,
+                                            .parameters = moved,
+                                            .runs = {}},
+                                           twice.parent_path()));
     EXPECT_NE(text_of(twice).find("[[exchange]]\nname = \"wall\"\nconductance = \"4.5 W K-1\"\n"), std::string::npos)
         << text_of(twice);
     const Experiment last = read_sound(twice);

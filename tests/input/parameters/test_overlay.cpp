@@ -60,10 +60,10 @@ Experiment written_and_read(const fs::path& original, const Experiment& before, 
                             const fs::path& file) {
     fs::create_directories(file.parent_path());
     Overlay what{.original = original,
-                    .before = &before.runs.front().problem,
-                    .fitted = &fitted.runs.front().problem,
-                    .parameters = before.parameters,
-                    .runs = {}};
+                 .before = &before.runs.front().problem,
+                 .fitted = &fitted.runs.front().problem,
+                 .parameters = before.parameters,
+                 .runs = {}};
     for (const MeasuredRun& run : fitted.runs) {
         what.runs.push_back({.name = run.name, .problem = &run.problem, .file = data ? run.file : ""});
     }
