@@ -147,6 +147,9 @@ std::vector<CarColumn> car_columns(const Heading& heading) {
          {std::pair(quantity_specs::temperature, " temperature"), std::pair(QuantitySpec{.unit = "Pa"}, " pressure")}) {
         if (found.empty() && heading.unit && !read_heading_unit(heading, spec).error) {
             found = car_columns(heading.name + word);
+            for (CarColumn& column : found) {  // less sure than a name that says it
+                column.rank += static_cast<int>(rules_of_car().size() + rules_of_corner().size());
+            }
         }
     }
     return found;

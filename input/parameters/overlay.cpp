@@ -34,18 +34,18 @@ TomlValue in_one_line(TomlValue value) {
 }
 
 /// The values that differ from corner to corner.
-void lay_corners_over(TomlValue& over, const Overlay& fitted) {
+void lay_corners_over(TomlValue& over, const Overlay& overlay) {
     std::vector<TomlValue> corners;
     std::set<std::string> done;
-    for (std::size_t r = 0; r < fitted.runs.size(); ++r) {
-        const OverlaidRun& run = fitted.runs[r];
+    for (std::size_t r = 0; r < overlay.runs.size(); ++r) {
+        const OverlaidRun& run = overlay.runs[r];
         if (run.corner.empty() || !done.insert(run.corner).second) {
             continue;
         }
         TomlValue table = table_value();
         table.in_braces = false;
         table.set("name", text_value(run.corner));
-        write_effects_of_run(table, *run.problem, fitted.parameters, r);
+        write_effects_of_run(table, *run.problem, overlay.parameters, r);
         if (table.entries.size() > 1) {
             corners.push_back(std::move(table));
         }
@@ -74,18 +74,18 @@ TomlValue run_table_of(const OverlaidRun& run, const TomlValue* data, const fs::
 }
 
 /// The runs that start at fitted temperatures, and those whose files were given beside the case.
-void lay_runs_over(TomlValue& over, const Overlay& fitted, const TomlValue& original, const fs::path& folder) {
+void lay_runs_over(TomlValue& over, const Overlay& overlay, const TomlValue& original, const fs::path& folder) {
     const TomlValue* data = original.find("data");  // how columns of files beside the case are read
     std::set<std::size_t> moved;
-    for (const solver::FreeParameter& number : fitted.parameters) {
+    for (const solver::FreeParameter& number : overlay.parameters) {
         if (is_initial(number)) {
             moved.insert(number.runs.begin(), number.runs.end());
         }
     }
     std::vector<TomlValue> runs;
     const OverlaidRun* last = nullptr;  // with a table; the corners of a run follow each other
-    for (std::size_t i = 0; i < fitted.runs.size(); ++i) {
-        const OverlaidRun& run = fitted.runs[i];
+    for (std::size_t i = 0; i < overlay.runs.size(); ++i) {
+        const OverlaidRun& run = overlay.runs[i];
         const bool starts_elsewhere = moved.contains(i);
         if (run.file.empty() && !starts_elsewhere) {
             continue;
@@ -113,15 +113,15 @@ void lay_runs_over(TomlValue& over, const Overlay& fitted, const TomlValue& orig
     }
 }
 
-std::string heading(const Overlay& fitted) {
+std::string heading(const Overlay& overlay) {
     std::vector<std::string> to;
-    for (const OverlaidRun& run : fitted.runs) {
+    for (const OverlaidRun& run : overlay.runs) {
         to.push_back(run.file.empty() ? run.name : run.file.filename().string());
     }
     // A title, a file or a remark of several lines must not end the comment.
     const std::string values = to.empty() ? "fitted values" : fmt::format("values fitted to {}", listed(to));
-    std::string text = fmt::format("# {}: {}\n", printable(fitted.before->title), printable(values));
-    for (const std::string& remark : fitted.remarks) {
+    std::string text = fmt::format("# {}: {}\n", printable(overlay.before->title), printable(values));
+    for (const std::string& remark : overlay.remarks) {
         text += fmt::format("# {}\n", printable(remark));
     }
     return text;
@@ -129,24 +129,24 @@ std::string heading(const Overlay& fitted) {
 
 }  // namespace
 
-std::string overlay_text(const Overlay& fitted, const fs::path& folder) {
+std::string overlay_text(const Overlay& overlay, const fs::path& folder) {
     InputErrors errors;
-    const TomlValue original = read_document(fitted.original, errors).value_or(TomlValue{});
+    const TomlValue original = read_document(overlay.original, errors).value_or(TomlValue{});
     TomlValue over = table_value();
-    over.set("include", list_value({toml_text::path_value(fitted.original, folder)}));
+    over.set("include", list_value({toml_text::path_value(overlay.original, folder)}));
     if (const TomlValue* mesh = original.find("mesh");
-        mesh != nullptr && (fitted.mesh.layers > 0.0 || fitted.mesh.finer > 1)) {
+        mesh != nullptr && (overlay.mesh.layers > 0.0 || overlay.mesh.finer > 1)) {
         over.set("unset", toml_text::texts_value({"mesh"}));
         TomlValue changed = *mesh;
-        change_mesh(changed, fitted.mesh);
+        change_mesh(changed, overlay.mesh);
         over.set("mesh", std::move(changed));
     }
     for (const ParameterKind& kind : parameter_kinds()) {
-        kind.write(over, fitted, original);
+        kind.write(over, overlay, original);
     }
-    lay_corners_over(over, fitted);
-    lay_runs_over(over, fitted, original, folder);
-    return heading(fitted) + toml_text::document(over);
+    lay_corners_over(over, overlay);
+    lay_runs_over(over, overlay, original, folder);
+    return heading(overlay) + toml_text::document(over);
 }
 
 }  // namespace tiretherm::input

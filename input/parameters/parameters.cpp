@@ -3,7 +3,6 @@
 #include "input/parameters/parameters.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <tuple>
@@ -190,19 +189,16 @@ void add(const TomlTable& table, const solver::Problem& problem, const FreeParam
 
 /// The one of these keys that says what is free, or an error. A key with dots in it is a path by itself.
 std::string_view read_subject(const TomlTable& table) {
-    constexpr std::array<std::string_view, 7> subjects{"effect", "source", "exchange", "material",
-                                                       "camera", "link",   "initial"};
     std::string_view found;
-    for (const std::string_view subject : subjects) {
-        if (!table.has(subject)) {
-            continue;
+    for (const ParameterKind& kind : parameter_kinds()) {
+        for (const std::string_view subject : kind.subjects) {
+            if (table.has(subject) && !found.empty()) {
+                table.add_error(subject, fmt::format("both {} and {} are given", found, subject),
+                                "keep one of them: a [[parameter]] for each");
+                return {};
+            }
+            found = table.has(subject) ? subject : found;
         }
-        if (!found.empty()) {
-            table.add_error(subject, fmt::format("both {} and {} are given", found, subject),
-                            "keep one of them: a [[parameter]] for each");
-            return {};
-        }
-        found = subject;
     }
     const TomlValue* key = table.content().find("key");
     if (found.empty() && key != nullptr && key->text.find('.') != std::string::npos) {

@@ -102,6 +102,8 @@ TEST(CarColumns, AreWhatTheirUnitMeasuresWhereTheNameLeavesItOut) {
     EXPECT_EQ(only("Ambient", "bar"), "");
     EXPECT_EQ(only("Brake RR", "degC"), "brake_temperature RR");
     EXPECT_TRUE(car_columns(Heading{.name = "Tyre FL", .unit = {}}).empty());
+    EXPECT_GT(car_columns(Heading{.name = "Tyre FL", .unit = "degC"}).front().rank,
+              car_columns(Heading{.name = "Tread FL IR", .unit = "degC"}).front().rank);
 }
 
 TEST(CarColumns, WithASignThatDiffersAreAsked) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -270,6 +271,23 @@ TEST(ShippedStudies, SpeedAndLoadOfTwoNodesMeetTheCasesOfTheLibrary) {
     EXPECT_EQ(study.runs.size(), 63U);
     EXPECT_NEAR(at("100 km/h", "4000 N"), 64.0, 0.06);
     EXPECT_NEAR(at("100 km/h", "7000 N"), 80.6, 0.06);
+}
+
+// 3600 s in steps of 0.1 and of 0.2 ms are 3.6e7 and 1.8e7 pieces: one warning, of two of the three runs.
+TEST(Study, AWarningOfSeveralRunsIsSaidOnceWhateverItsNumbers) {
+    const Written written;
+    const StudyReading reading = read_study(written.add("study.toml", "case = \"" + two_node + R"("
+[[vary]]
+key = "time.step"
+values = ["0.1 ms", "0.2 ms", "1 s"]
+)"));
+    std::vector<std::string> of_pieces;
+    std::ranges::copy_if(reading.warnings, std::back_inserter(of_pieces),
+                         [](const std::string& one) { return one.find(" pieces") != std::string::npos; });
+    ASSERT_EQ(of_pieces.size(), 1U) << rendered(reading);
+    EXPECT_TRUE(of_pieces.front().ends_with(
+        "step divides the run into 3.6e+07 pieces (in 2 of 3 runs, with numbers of their own)"))
+        << of_pieces.front();
 }
 
 }  // namespace tiretherm::input
