@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/completion/completion.hpp"
 #include "app/failure.hpp"
 #include "app/help/help_text.hpp"
 #include "app/messages.hpp"
@@ -154,6 +155,10 @@ int run_call(int argc, char** argv) {
         "\nHelp for a command: tiretherm COMMAND --help\n\nInputs, signs, units, sensors and more: tiretherm help");
 
     const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
+    if (argc > 1 && std::string_view(argv[1]) == "complete") {  // not for people either: the words are no call
+        fmt::print("{}", app::completion_lines(program, {arguments.begin() + 2, arguments.end()}));
+        return app::Exit::done;
+    }
     const bool json =
         std::any_of(arguments.begin(), arguments.end(), [](const char* a) { return std::string(a) == "--json"; });
     try {
