@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +15,6 @@
 #include <fmt/format.h>
 
 #include "input/text/suggestions.hpp"
-#include "input/tire_property_file/tir_bounds.hpp"
 #include "input/tire_property_file/tir_keys.hpp"
 
 namespace tiretherm::input {
@@ -22,13 +23,10 @@ namespace {
 
 using tir::Coefficient;
 using tir::coefficients;
-using tir::Law;
 using tir::other_scaling_factors;
-using tir::scaling_factors;
-using tir::ScalingFactor;
 using tir::Use;
 
-bool used(Use use, const Law& law) {
+bool used(Use use, const tir::Law& law) {
     return use == Use::both || (use == Use::only_61) == (law.version == physics::MagicFormulaVersion::mf61);
 }
 
@@ -49,32 +47,15 @@ bool concerns_pure_slip(const TirLines::Entry& entry) {
     return is_of(entry.key, 'P', "CDEKHV") || (in_section && !other);
 }
 
-/// Use of a known key; nothing for an unknown one.
-std::optional<Use> use_of(std::string_view key) {
-    const auto same = [&](const auto& item) { return item.key == key; };
-    if (const auto* found = std::find_if(coefficients.begin(), coefficients.end(), same); found != coefficients.end()) {
-        return found->use;
-    }
-    const auto* found = std::find_if(scaling_factors.begin(), scaling_factors.end(), same);
-    return found == scaling_factors.end() ? std::nullopt : std::optional(found->use);
-}
-
-std::vector<std::string> known_keys() {
-    std::vector<std::string> keys;
-    for (const Coefficient& coefficient : coefficients) {
-        keys.emplace_back(coefficient.key);
-    }
-    for (const ScalingFactor& factor : scaling_factors) {
-        keys.emplace_back(factor.key);
-    }
-    return keys;
-}
-
-void check_key(const TirLines& lines, const TirLines::Entry& entry, const Law& law, InputErrors& errors) {
-    const std::optional<Use> use = use_of(entry.key);
-    if (!use) {
+void check_key(const TirLines& lines, const TirLines::Entry& entry, const tir::Law& law, InputErrors& errors) {
+    const auto* const known = std::ranges::find(coefficients, entry.key, &Coefficient::key);
+    if (known == std::end(coefficients)) {
         if (concerns_pure_slip(entry)) {
-            const std::string near = nearest(entry.key, known_keys());
+            std::vector<std::string> keys;
+            for (const Coefficient& one : coefficients) {
+                keys.emplace_back(one.key);
+            }
+            const std::string near = nearest(entry.key, keys);
             errors.warn(entry.key_place, "{} is unknown and not used{}", entry.key,
                         near.empty() ? "" : fmt::format("; did you mean {}?", near));
         }
@@ -82,9 +63,19 @@ void check_key(const TirLines& lines, const TirLines::Entry& entry, const Law& l
         errors.add(entry.key_place,
                    fmt::format("{} stands in two sections, first at {}", entry.key, errors.spell(first->place)),
                    "remove one of the lines");
-    } else if (!used(*use, law)) {
+    } else if (!used(known->use, law)) {
         errors.warn(entry.key_place, "{} is not used by MF {}, the version of the file", entry.key,
-                    *use == Use::only_52 ? "6.1" : "5.2");
+                    known->use == Use::only_52 ? "6.1" : "5.2");
+    }
+}
+
+void check_bounds(const TirLines::Entry& entry, double value, const tir::Bounds& bounds, InputErrors& errors) {
+    const double size = bounds.by_magnitude ? std::abs(value) : value;
+    if (size < bounds.low || size > bounds.high) {
+        errors.add(entry.place,
+                   fmt::format("{} is {}; {:g} to {:g}{} are possible", entry.key, entry.value, bounds.low, bounds.high,
+                               bounds.by_magnitude ? " of either sign" : ""),
+                   fmt::format("correct it: {} is {}", entry.key, bounds.what));
     }
 }
 
@@ -113,17 +104,12 @@ void require_tir_key(const TirLines& lines, const SourceLocation& whole, std::st
 
 void read_tir_coefficients(const TirLines& lines, const SourceLocation& whole, physics::MagicFormula& law,
                            InputErrors& errors) {
-    for (const auto& [key, member, use] : coefficients) {
-        if (const std::optional<double> value = lines.number(key, errors); value && used(use, law)) {
-            law.*member = *value;
+    for (const Coefficient& one : coefficients) {
+        if (const std::optional<double> value = lines.number(one.key, errors)) {
+            check_bounds(*lines.find(one.key), *value, one.bounds, errors);
+            one.at(law) = used(one.use, law) ? *value : one.at(law);
         }
     }
-    for (const auto& [key, member, use] : scaling_factors) {
-        if (const std::optional<double> value = lines.number(key, errors); value && used(use, law)) {
-            law.lambda.*member = *value;
-        }
-    }
-    check_tir_bounds(lines, errors);
     turn_negative_peak(lines, "PDX1", law.pDx1, law.pDx2, errors);
     turn_negative_peak(lines, "PDY1", law.pDy1, law.pDy2, errors);
     bool longitudinal = false;

@@ -4,15 +4,10 @@
 #include "input/tire_property_file/tir_lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cmath>
-
-#include <fmt/format.h>
 
 #include "input/tables/csv.hpp"
 #include "input/text/characters.hpp"
-#include "input/text/quantity.hpp"
 
 namespace tiretherm::input {
 
