@@ -2,8 +2,6 @@
 // Cuts the text of a case file into its tables.
 #include "input/case_text/case_parts.hpp"
 
-#include <algorithm>
-
 #include "input/case_text/case_writer.hpp"
 #include "input/tables/csv.hpp"
 #include "input/text/characters.hpp"
@@ -71,7 +69,7 @@ std::string CasePart::text(std::string_view key) const {
 void CasePart::replace(std::string_view key, std::string_view value, std::string_view comment) {
     for (std::string& line : lines) {
         if (is_entry_of(line, key)) {
-            line = CaseWriter::entry_line(key, value, comment);
+            line = entry_line(table, key, value, comment);
         }
     }
 }

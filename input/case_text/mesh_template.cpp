@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "input/case_text/case_writer.hpp"
 #include "input/case_text/shipped_cases.hpp"
 #include "input/text/quantity_specs.hpp"
 
@@ -30,12 +31,16 @@ constexpr QuantitySpec force{.unit = "N"};
 constexpr QuantitySpec moment{.unit = "N m"};
 constexpr QuantitySpec radius{.unit = "m"};
 
+/// A key of a sensor and its value.
+using SensorEntry = std::pair<std::string_view, std::string>;
+
 TemplateSensor extra(const std::string& name, const QuantitySpec& spec, const std::string& kind,
-                     std::vector<std::string> more = {}) {
+                     std::vector<SensorEntry> more = {}) {
     TemplateSensor sensor{.name = name, .spec = spec, .shipped = false, .lines = {"[[sensor]]"}};
-    sensor.lines.push_back(fmt::format("name = \"{}\"", name));
-    sensor.lines.push_back(fmt::format("kind = \"{}\"", kind));
-    sensor.lines.insert(sensor.lines.end(), more.begin(), more.end());
+    more.insert(more.begin(), {{"name", name}, {"kind", kind}});
+    for (const auto& [key, value] : more) {
+        sensor.lines.push_back(entry_line("sensor", key, value));
+    }
     return sensor;
 }
 
@@ -43,11 +48,11 @@ TemplateSensor extra(const std::string& name, const QuantitySpec& spec, const st
 void add_extra_sensors(MeshTemplate& made, double tread_thickness_mm) {
     if (made.name == "section") {
         for (const std::string zone : {"outside_shoulder", "crown", "inside_shoulder"}) {
-            const std::string zones = fmt::format("zones = [\"{}\"]", zone);
-            made.sensors.push_back(extra(zone + "_surface_temperature", quantity_specs::temperature, "point",
-                                         {zones, "depth = \"0 mm\""}));
+            const SensorEntry zones{"zones", fmt::format("[\"{}\"]", zone)};
+            made.sensors.push_back(
+                extra(zone + "_surface_temperature", quantity_specs::temperature, "point", {zones, {"depth", "0 mm"}}));
             made.sensors.push_back(extra(zone + "_inner_liner_temperature", quantity_specs::temperature, "point",
-                                         {zones, fmt::format("depth = \"{:g} mm\"", tread_thickness_mm)}));
+                                         {zones, {"depth", fmt::format("{:g} mm", tread_thickness_mm)}}));
         }
     }
     made.sensors.push_back(extra("drag_force", force, "drag_force"));
@@ -87,7 +92,7 @@ void take(CasePart part, MeshTemplate& into) {
 std::string MeshTemplate::setting(std::string_view table, std::string_view key) const {
     for (const CasePart& part : settings) {
         if (part.table == table && !part.value(key).empty()) {
-            return part.value(key);
+            return part.text(key);
         }
     }
     return {};

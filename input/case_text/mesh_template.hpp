@@ -34,7 +34,7 @@ struct MeshTemplate {
     std::vector<CasePart> settings{};    ///< [drive], [initial] and [time]
     std::vector<TemplateSensor> sensors{};
 
-    /// The value of a key of [drive], [initial] or [time] as written, with its quotation marks.
+    /// The value of a key of [drive], [initial] or [time] without quotation marks; empty when absent.
     [[nodiscard]] std::string setting(std::string_view table, std::string_view key) const;
     [[nodiscard]] const TemplateSensor* find_sensor(std::string_view name) const;  ///< null when absent
 };

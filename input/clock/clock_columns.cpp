@@ -4,7 +4,6 @@
 #include "input/clock/clock_columns.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 

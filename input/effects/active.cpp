@@ -5,7 +5,6 @@
 #include "input/effects/active.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include <fmt/format.h>

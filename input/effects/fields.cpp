@@ -3,7 +3,6 @@
 // and, where wanted, total watts.
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
 #include <numeric>

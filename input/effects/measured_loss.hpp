@@ -5,7 +5,6 @@
 
 #include "input/measurements/driven_signals.hpp"
 #include "input/toml/toml_table.hpp"
-#include "solver/problem.hpp"
 
 /// The total of the strain-energy loss as a machine measured it:
 ///     [effects.strain_energy_loss]

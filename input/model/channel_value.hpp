@@ -3,7 +3,6 @@
 #pragma once
 
 #include "input/text/quantity.hpp"
-#include "solver/problem.hpp"
 
 namespace tiretherm::input {
 

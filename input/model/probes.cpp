@@ -4,7 +4,6 @@
 #include "input/model/probes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "input/model/law.hpp"
 #include "input/model/tire.hpp"
 #include "input/text/quantity_specs.hpp"

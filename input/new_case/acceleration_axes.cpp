@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "input/columns/column_course.hpp"
 #include "input/loggers/car_columns.hpp"

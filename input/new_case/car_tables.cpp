@@ -18,20 +18,18 @@ namespace {
 struct CarValue {
     std::string_view key;
     std::string_view value;
-    std::string_view meaning;
     std::string_view ground;
 };
 constexpr std::array car_values{
-    CarValue{"mass", "\"1350 kg\"", "with driver and fuel", "a sports car; a scale tells, and each axle's share too"},
-    CarValue{"wheelbase", "\"2.6 m\"", "", "a sports car; its papers tell"},
-    CarValue{"front_weight_share", "0.5", "of the car at rest", "even; a scale tells"},
-    CarValue{"centre_of_gravity_height", "\"0.48 m\"", "above the road", "a sports car"},
-    CarValue{"front_track", "\"1.55 m\"", "and the rear's, without rear_track", "a sports car; its papers tell"},
-    CarValue{"front_roll_stiffness_share", "0.55", "springs and anti-roll bars",
-             "a little more in front, as most cars have"},
-    CarValue{"drag_area", "\"0.7 m2\"", "drag coefficient times frontal area", "a car of 2 m2 and 0.35"},
-    CarValue{"driven_axle", "\"rear\"", "or front, or all with front_drive_share", "a sports car"},
-    CarValue{"front_brake_share", "0.65", "", "two thirds in front, as most cars have"}};
+    CarValue{"mass", "1350 kg", "a sports car; a scale tells, and each axle's share too"},
+    CarValue{"wheelbase", "2.6 m", "a sports car; its papers tell"},
+    CarValue{"front_weight_share", "0.5", "even; a scale tells"},
+    CarValue{"centre_of_gravity_height", "0.48 m", "a sports car"},
+    CarValue{"front_track", "1.55 m", "a sports car; its papers tell"},
+    CarValue{"front_roll_stiffness_share", "0.55", "a little more in front, as most cars have"},
+    CarValue{"drag_area", "0.7 m2", "a car of 2 m2 and 0.35"},
+    CarValue{"driven_axle", "rear", "a sports car"},
+    CarValue{"front_brake_share", "0.65", "two thirds in front, as most cars have"}};
 
 // Cornering stiffness of a passenger car's tire over its load: 6 to 30 per radian, and the slip stiffness is the larger one
 // (Pacejka, Tire and Vehicle Dynamics, chapter 1).
@@ -58,100 +56,32 @@ double hardest_turn(const Log& log) {
     return *at;
 }
 
-void assume_entry(CaseDraft& draft, std::string_view key, const std::string& value, std::string_view meaning,
-                  const std::string& ground) {
-    draft.writer.entry(key, value, fmt::format("{}{}assumed: {}", meaning, meaning.empty() ? "" : "; ", ground));
-    const bool quoted = value.starts_with('"');
-    draft.assume(fmt::format("vehicle.{}", key), quoted ? value.substr(1, value.size() - 2) : value, ground);
-}
-
 void write_tires(CaseDraft& draft, const Log& log) {
-    const auto kilo = [](double over_load) { return std::round(over_load * static_load / 1e3); };
-    const std::string of_load = fmt::format("{:g} times the load at rest", cornering_over_load);
-    for (const std::string_view axle : {"front", "rear"}) {
-        assume_entry(draft, fmt::format("{}_cornering_stiffness", axle),
-                     fmt::format("\"{:g} kN/rad\"", kilo(cornering_over_load)), "of one tire", of_load);
-    }
-    for (const std::string_view axle : {"front", "rear"}) {
-        assume_entry(draft, fmt::format("{}_slip_stiffness", axle), fmt::format("\"{:g} kN\"", kilo(slip_over_load)),
-                     "of one tire", fmt::format("{:g} times the load at rest", slip_over_load));
-    }
+    const auto assume_both = [&](std::string_view key, double over_load, std::string_view unit) {
+        const std::string value = fmt::format("{:g} {}", std::round(over_load * static_load / 1e3), unit);
+        for (const std::string_view axle : {"front", "rear"}) {
+            draft.assume_entry(fmt::format("{}_{}", axle, key), value,
+                               fmt::format("{:g} times the load at rest", over_load));
+        }
+    };
+    assume_both("cornering_stiffness", cornering_over_load, "kN/rad");
+    assume_both("slip_stiffness", slip_over_load, "kN");
     const double hardest = hardest_turn(log);
     const bool slow = friction_margin * hardest < usual_friction;
-    assume_entry(
-        draft, "friction", fmt::format("{:.2f}", slow ? usual_friction : friction_margin * hardest), "",
+    draft.assume_entry(
+        "friction", fmt::format("{:.2f}", slow ? usual_friction : friction_margin * hardest),
         slow ? "a dry road" : fmt::format("a tenth above the log's hardest turns and stops, {:.2f} g", hardest));
-    draft.writer.suggestion("property_file", "\"tire.tir\"", "in the place of stiffnesses and friction");
+    draft.writer.suggestion("property_file", "tire.tir", "in the place of stiffnesses and friction");
 }
-
-/// Columns of the log under a heading, renamed or with units that the case must say.
-class ColumnsOf {
-public:
-    /// @param table "data" or "corner"  @param corner whose columns; empty: of the car
-    ColumnsOf(CaseWriter& writer, const Log& log, std::string table, std::string corner)
-        : writer_(writer), log_(log), table_(std::move(table)), corner_(std::move(corner)) {}
-
-    void write() {
-        write_names();
-        write_units();
-    }
-
-private:
-    [[nodiscard]] bool is_mine(const LogColumn& column) const { return column.corner == corner_; }
-
-    void open(std::string_view key, bool& is_open) {
-        if (!std::exchange(is_open, true)) {
-            writer_.heading(fmt::format("[{}.{}]", table_, key));
-        }
-    }
-    void write_names() {
-        bool is_open = false;
-        for (const LogColumn& column : log_.columns) {
-            const std::string key = toml_text::key(column.heading.name);
-            if (!is_mine(column)) {
-                continue;
-            }
-            if (column.is_used() && column.heading.name != column.name) {
-                open("columns", is_open);
-                writer_.entry(key, toml_text::in_quotes(column.name), column.title());
-            } else if (!column.is_used() && !column.suggestion.empty()) {
-                open("columns", is_open);
-                writer_.suggestion(key, toml_text::in_quotes(column.suggestion),
-                                   fmt::format("{}: {}", column.title(), column.reason));
-            }
-        }
-    }
-    void write_units() {
-        bool is_open = false;
-        for (const LogColumn& column : log_.columns) {
-            const std::string key = toml_text::key(column.heading.name);
-            if (!is_mine(column)) {
-                continue;
-            }
-            if (column.is_used() && !column.unit.empty()) {
-                open("units", is_open);
-                writer_.entry(key, toml_text::in_quotes(column.unit), column.unit_remark());
-            } else if (!column.is_used() && !column.suggested_unit.empty()) {
-                open("units", is_open);
-                writer_.suggestion(key, toml_text::in_quotes(column.suggested_unit), "or what its unit is");
-            }
-        }
-    }
-
-    CaseWriter& writer_;
-    const Log& log_;
-    std::string table_;
-    std::string corner_;
-};
 
 void write_corner(CaseDraft& draft, const Log& log, const std::string& corner) {
     CaseWriter& writer = draft.writer;
-    writer.heading("[[corner]]");
-    writer.entry("name", toml_text::in_quotes(corner));
+    writer.table("corner");
+    writer.entry("name", corner);
     if (draft.mesh.name == "section") {
         writer.suggestion("drive", "{ camber = \"-2 deg\" }", "negative: the top leans inboard");
     }
-    ColumnsOf(writer, log, "corner", corner).write();
+    write_columns(writer, log, "corner", corner);
 }
 
 }  // namespace
@@ -162,30 +92,28 @@ void write_vehicle(CaseDraft& draft) {
         return;
     }
     CaseWriter& writer = draft.writer;
-    writer.heading("[vehicle]", "gives each tire its load, forces and slips: replace what is assumed");
+    writer.table("vehicle", "gives each tire its load, forces and slips: replace what is assumed");
     if (log->corners().empty()) {
-        assume_entry(draft, "corner", "\"FL\"", "FL, FR, RL or RR", "the log does not say whose temperatures it has");
+        draft.assume_entry("corner", "FL", "the log does not say whose temperatures it has");
     }
     for (const CarValue& value : car_values) {
-        assume_entry(draft, value.key, std::string(value.value), value.meaning, std::string(value.ground));
+        draft.assume_entry(value.key, std::string(value.value), std::string(value.ground));
     }
     const bool has_turns =
         log->has_course || draft.column("lateral_acceleration") != nullptr || draft.column("yaw_rate") != nullptr;
     if (!has_turns) {
-        assume_entry(draft, "steering_ratio", "15", "of the steering wheel to the road wheels", "a sports car");
+        draft.assume_entry("steering_ratio", "15", "a sports car");
     }
     write_tires(draft, *log);
-    writer.suggestion("downforce_area", "\"0.5 m2\"", "-C_L A, with front_downforce_share = 0.45");
+    writer.suggestion("downforce_area", "0.5 m2", "-C_L A, with front_downforce_share = 0.45");
     writer.remark(
         "Left and right are exchanged where both signs are wrong. SAE J670 has both positive in right turns.");
-    writer.suggestion("yaw_rate_sign", "\"right\"",
-                      "in which turns it is positive; left, unless a GPS heading or positions tell");
-    writer.suggestion("lateral_acceleration_sign", "\"right\"",
-                      "in which turns it is positive; automatic beside yaw_rate");
+    writer.suggestion("yaw_rate_sign", "right");
+    writer.suggestion("lateral_acceleration_sign", "right");
 }
 
 void write_car_columns(CaseDraft& draft, const Log& log) {
-    ColumnsOf(draft.writer, log, "data", "").write();
+    write_columns(draft.writer, log, "data", "");
     for (const std::string& corner : log.corners()) {
         write_corner(draft, log, corner);
     }
@@ -206,11 +134,12 @@ void suggest_corners(CaseDraft& draft, const Log& log) {
             }
         }
         if (!columns.empty()) {
-            draft.writer.blank();
-            draft.writer.remark("Which of these is what the tire reads? Keep it, and take the # away.");
-            draft.writer.remark("[[corner]]");
-            draft.writer.suggestion("name", toml_text::in_quotes(corner));
-            draft.writer.suggestion("columns", fmt::format("{{ {} }}", columns));
+            draft.writer.caption("Which of these is what the tire reads? Keep it, and take the # away.");
+            draft.writer.comment_out(true);
+            draft.writer.table("corner");
+            draft.writer.entry("name", corner);
+            draft.writer.entry("columns", fmt::format("{{ {} }}", columns));
+            draft.writer.comment_out(false);
         }
     }
 }

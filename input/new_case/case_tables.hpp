@@ -2,6 +2,8 @@
 // The tables of a new case, a function for each.
 #pragma once
 
+#include <fmt/format.h>
+
 #include "input/case_text/case_writer.hpp"
 #include "input/new_case/new_case.hpp"
 #include "physics/tire_laws/scaled_tire.hpp"
@@ -35,6 +37,15 @@ struct CaseDraft {
     void assume(std::string key, std::string value, std::string reason) const {
         result.assumed.push_back({std::move(key), std::move(value), std::move(reason)});
     }
+    /// Writes an entry of the current table: what it means, and on what ground it is assumed, as noted.
+    /// @param lacking why nothing better is known, with "; " at its end
+    void assume_entry(std::string_view key, const std::string& value, const std::string& ground,
+                      const std::string& lacking = "") {
+        const std::string meaning = writer.meaning(key);
+        writer.entry(key, value,
+                     fmt::format("{}{}{}assumed: {}", meaning, meaning.empty() ? "" : "; ", lacking, ground));
+        assume(fmt::format("{}.{}", writer.path(), key), value, lacking + ground);
+    }
 };
 
 /// [tire]: dimensions and laws of the load, scaled from the thesis's tire.
@@ -63,6 +74,10 @@ void suggest_corners(CaseDraft& draft, const Log& log);
 void write_drum_drive(CaseDraft& draft, const DrumTest& test);
 void write_drum_effects(CaseDraft& draft, const DrumTest& test);
 void write_drum_critical(CaseDraft& draft);
+/// [TABLE.columns] and [TABLE.units]: what holds of the log's columns, and behind a # what may hold.
+/// @param table "run", "drive.file", "data", "corner"  @param corner whose columns, empty: of the car; none: all
+void write_columns(CaseWriter& writer, const Log& log, const std::string& table,
+                   const std::optional<std::string>& corner = std::nullopt);
 /// A [[parameter]] of an effect. @param ground of the standard deviation, which is assumed
 void write_parameter(CaseWriter& writer, std::string_view effect, std::string_view key, std::string_view deviation,
                      std::string_view ground, std::string_view meaning = "");

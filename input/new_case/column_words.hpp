@@ -2,9 +2,7 @@
 // Guesses what a column of a log may be from the words of its heading, and what a unit may mean that nobody knows.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "input/case_text/mesh_template.hpp"

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -18,21 +17,15 @@ namespace {
 /// An input that the effects of a tire or of a specimen need, and what the library's constant is.
 struct NeededInput {
     std::string_view name;
-    std::string_view meaning;
     std::string_view ground;
     bool of_tire = true;
     bool of_specimen = false;
 };
-constexpr std::array needed{
-    NeededInput{"vertical_load", "on the tire", "that of the thesis's first warm-up"},
-    NeededInput{"speed", "of the road under the tire", "that of the thesis's first warm-up"},
-    NeededInput{"laser_power", "of the light on the spot", "one of the thesis's", false, true},
-    NeededInput{"air_temperature", "of the air around", "a room; the thesis names none", true, true},
-    NeededInput{"road_temperature", "of the road or the drum", "that of the air; a road in the sun is hotter"}};
-
-std::string without_quotes(const std::string& value) {
-    return value.size() > 1 && value.front() == '"' ? value.substr(1, value.size() - 2) : value;
-}
+constexpr std::array needed{NeededInput{"vertical_load", "that of the thesis's first warm-up"},
+                            NeededInput{"speed", "that of the thesis's first warm-up"},
+                            NeededInput{"laser_power", "one of the thesis's", false, true},
+                            NeededInput{"air_temperature", "a room; the thesis names none", true, true},
+                            NeededInput{"road_temperature", "that of the air; a road in the sun is hotter"}};
 
 double mean(const std::vector<double>& values) {
     double sum = 0.0;
@@ -78,31 +71,31 @@ Constant constant(const CaseDraft& draft, const NeededInput& input) {
         return {fmt::format("{:.0f} km/h", 3.6 * speed_share * fastest),
                 fmt::format("80 % of what the speed symbol {} allows", size.service->speed_symbol)};
     }
-    return {without_quotes(draft.mesh.setting("drive", input.name)), std::string(input.ground)};
+    return {draft.mesh.setting("drive", input.name), std::string(input.ground)};
 }
 
 /// Inputs that may be given, as comments.
 void suggest_inputs(CaseDraft& draft) {
     CaseWriter& writer = draft.writer;
     if (draft.column("slip_angle") == nullptr && draft.column("lateral_force") == nullptr) {
-        writer.suggestion("slip_angle", "\"2 deg\"", "with lateral_force: heat of sliding in the contact");
-        writer.suggestion("lateral_force", "\"2500 N\"", "either sign");
+        writer.suggestion("slip_angle", "2 deg");
+        writer.suggestion("lateral_force", "2500 N");
     }
     if (draft.mesh.name == "section" && draft.column("camber") == nullptr) {
-        writer.suggestion("camber", "\"-2 deg\"",
-                          "negative: the top leans inboard, the inside shoulder is loaded more");
+        writer.suggestion("camber", "-2 deg");
     }
 }
 
 void suggest_schedule(CaseWriter& writer, bool is_specimen) {
-    writer.blank();
-    writer.remark("Straight lines between rows may take the place of a constant, two rows at one time are a jump:");
-    writer.remark("[[drive.schedule]]");
+    writer.caption("Straight lines between rows may take the place of a constant, two rows at one time are a jump:");
+    writer.comment_out(true);
+    writer.table("drive.schedule");
     const std::string_view input = is_specimen ? "laser_power" : "speed";
-    writer.suggestion("columns", fmt::format("[\"time [min]\", \"{} [{}]\"]", input, is_specimen ? "W" : "km/h"),
-                      fmt::format("remove {} from [drive] then", input));
-    writer.suggestion(
-        "rows", is_specimen ? "[[0, 1], [10, 1], [10, 3], [20, 3]]" : "[[0, 80], [20, 80], [20, 120], [60, 120]]");
+    writer.entry("columns", fmt::format("[\"time [min]\", \"{} [{}]\"]", input, is_specimen ? "W" : "km/h"),
+                 fmt::format("remove {} from [drive] then", input));
+    writer.entry("rows",
+                 is_specimen ? "[[0, 1], [10, 1], [10, 3], [20, 3]]" : "[[0, 80], [20, 80], [20, 120], [60, 120]]");
+    writer.comment_out(false);
 }
 
 /// The mean of the first values of the sensors whose names end so; nothing where there is none.
@@ -139,8 +132,8 @@ std::string shown_seconds(double seconds) { return fmt::format("{} s", seconds);
 
 void write_drive(CaseDraft& draft) {
     CaseWriter& writer = draft.writer;
-    writer.heading("[drive]", draft.column("time") != nullptr ? "what the log does not give"
-                                                              : "the inputs, in any unit: \"62 mph\" will do");
+    writer.table("drive", draft.column("time") != nullptr ? "what the log does not give"
+                                                          : "the inputs, in any unit: \"62 mph\" will do");
     const bool of_car = draft.log() != nullptr && draft.log()->is_car;
     for (const NeededInput& input : needed) {
         if (draft.is_specimen() ? !input.of_specimen : !input.of_tire) {
@@ -151,16 +144,12 @@ void write_drive(CaseDraft& draft) {
             writer.remark("vertical_load, forces and slips of each tire follow from [vehicle] and the log.");
             continue;
         }
-        const std::string key = fmt::format("drive.{}", input.name);
         if (const LogColumn* column = draft.column(input.name)) {
             writer.remark(fmt::format("{}: the log's column {}", input.name, column->title()));
             continue;
         }
         const auto [value, ground] = constant(draft, input);
-        const std::string lacking = lacking_of(draft.log(), input.name);
-        writer.entry(input.name, fmt::format("\"{}\"", value),
-                     fmt::format("{}; {}assumed: {}", input.meaning, lacking, ground));
-        draft.assume(key, value, lacking + ground);
+        draft.assume_entry(input.name, value, ground, lacking_of(draft.log(), input.name));
     }
     if (!of_car && !draft.is_specimen()) {
         suggest_inputs(draft);
@@ -177,28 +166,28 @@ void write_initial(CaseDraft& draft) {
     const std::optional<double> liner = first_of(draft, "inner_liner_temperature");
     const std::optional<double> gas = first_of(draft, "gas_temperature");
     const std::optional<double> inside = bulk ? bulk : liner ? liner : surface ? surface : gas;
-    writer.heading("[initial]");
+    writer.table("initial");
     const bool of_corners = draft.log() != nullptr && !draft.log()->corners().empty();
     if (const std::string sensor = of_corners ? first_sensor_of_all(*draft.log()) : ""; !sensor.empty()) {
-        writer.entry("temperature", fmt::format("\"{}\"", sensor),
+        writer.entry("temperature", sensor,
                      "of each tire: what its sensor reads first, all through the tire; assumed: it has stood a while");
         draft.assume("initial.temperature", sensor, "what each tire's sensor reads first, all through the tire");
         if (draft.mesh.name == "section" && sensor != "gas_temperature" && all_have(*draft.log(), "gas_temperature")) {
-            writer.entry("gas", "\"gas_temperature\"", "of each tire: what its sensor reads first");
+            writer.entry("gas", "gas_temperature", "of each tire: what its sensor reads first");
         }
         return;
     }
     if (!inside || of_corners) {
         const bool logged = draft.column("air_temperature") != nullptr;
-        const std::string value = logged ? "\"air_temperature\"" : draft.mesh.setting("initial", "temperature");
+        const std::string value = logged ? "air_temperature" : draft.mesh.setting("initial", "temperature");
         writer.entry("temperature", value,
                      logged ? "everywhere at the start; assumed: the log's first air_temperature"
                             : "everywhere at the start; or \"air_temperature\", that of the air");
-        draft.assume("initial.temperature", without_quotes(value),
+        draft.assume("initial.temperature", value,
                      logged ? "a tire that has stood in the air of the log's first sample" : "that of air and road");
         return;
     }
-    writer.entry("temperature", fmt::format("\"{}\"", shown_celsius(*inside)),
+    writer.entry("temperature", shown_celsius(*inside),
                  fmt::format("everywhere but in what follows: the log's first {} temperature", bulk      ? "bulk"
                                                                                                : liner   ? "inner liner"
                                                                                                : surface ? "surface"
@@ -206,33 +195,33 @@ void write_initial(CaseDraft& draft) {
     const bool thick = draft.mesh.name == "section";  // its tread is a single layer of 8 mm
     if (surface && inside != surface) {
         const double tread = thick ? 0.5 * (*surface + *inside) : *surface;
-        writer.entry(thick ? "tread" : "surface", fmt::format("\"{}\"", shown_celsius(tread)),
+        writer.entry(thick ? "tread" : "surface", shown_celsius(tread),
                      thick ? "the mean of the log's first surface and inner temperatures"
                            : "the log's first surface temperature");
     }
     if (thick && liner && inside != liner) {
-        writer.entry("liner", fmt::format("\"{}\"", shown_celsius(*liner)), "the log's first inner liner temperature");
+        writer.entry("liner", shown_celsius(*liner), "the log's first inner liner temperature");
     }
     if (thick && gas) {
-        writer.entry("gas", fmt::format("\"{}\"", shown_celsius(*gas)), "the log's first gas temperature");
+        writer.entry("gas", shown_celsius(*gas), "the log's first gas temperature");
     }
 }
 
 void write_time(CaseDraft& draft) {
     CaseWriter& writer = draft.writer;
-    const std::string output = draft.mesh.setting("time", "output");
-    writer.heading("[time]");
+    writer.table("time");
     if (const Log* log = draft.log(); log == nullptr) {
         writer.entry("end", draft.mesh.setting("time", "end"), "of the run, in any unit: \"1 h\"; until it is warm");
     } else if (log->use == LogUse::nothing) {
-        writer.entry("start", fmt::format("\"{}\"", shown_seconds(log->time.front())), "the log's first time");
-        writer.entry("end", fmt::format("\"{}\"", shown_seconds(log->time.back())), "the log's last time");
+        writer.entry("start", shown_seconds(log->time.front()), "the log's first time");
+        writer.entry("end", shown_seconds(log->time.back()), "the log's last time");
     } else {
         writer.remark(fmt::format("The run lasts as long as the log, from {} to {}.", shown_seconds(log->time.front()),
                                   shown_seconds(log->time.back())));
     }
-    writer.entry("output", output, "between the rows of channels.csv; \"0 s\" for every step of the solver");
-    writer.suggestion("fields", "\"60 s\"", "between stored temperature fields; without it the first and the last");
+    writer.entry("output", draft.mesh.setting("time", "output"),
+                 "between the rows of channels.csv; \"0 s\" for every step of the solver");
+    writer.suggestion("fields", "60 s");
 }
 
 }  // namespace tiretherm::input

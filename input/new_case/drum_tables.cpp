@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // [drive], [initial], [time] and [[critical]] of a case of a durability test, and the effects of a drum.
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -23,53 +22,52 @@ void write_drum_drive(CaseDraft& draft, const DrumTest& test) {
     const double share = test.rows.front().load_share;
     const bool loads_differ =
         std::ranges::any_of(test.rows, [&](const DrumRow& row) { return row.load_share != share; });
-    const std::string room = fmt::format("\"{:g} degC\"", test.room);
-    writer.heading("[drive]", test.title);
+    const std::string room = fmt::format("{:g} degC", test.room);
+    writer.table("drive", test.title);
     writer.remark("Source: " + test.origin + ".");
     if (!loads_differ) {
-        writer.entry("vertical_load", fmt::format("\"{:.0f} N\"", share * test.load),
+        writer.entry("vertical_load", fmt::format("{:.0f} N", share * test.load),
                      fmt::format("{:g} % of {:.0f} N, load index {}", 100.0 * share, test.load,
                                  draft.request.size.service->load_index));
     }
-    writer.entry("inflation_pressure", fmt::format("\"{:g} kPa\"", test.pressure * 1e-3), test.pressure_ground);
+    writer.entry("inflation_pressure", fmt::format("{:g} kPa", test.pressure * 1e-3), test.pressure_ground);
     writer.entry("air_temperature", room, "of the room, recalled");
     writer.entry("road_temperature", room, "assumed: the drum is as warm as the room");
-    writer.heading("[[drive.schedule]]", "steps; two rows at one time are a jump");
+    writer.table("drive.schedule", "steps; two rows at one time are a jump");
     writer.entry("columns", loads_differ ? "[\"time [min]\", \"speed [km/h]\", \"vertical_load [N]\"]"
                                          : "[\"time [min]\", \"speed [km/h]\"]");
-    std::vector<std::string> rows{"rows = ["};
+    std::string rows = "[";
     for (std::size_t i = 0; i + 1 < test.rows.size(); i += 2) {
-        rows.push_back(fmt::format("    {}, {},", row_text(test.rows[i], test.load, loads_differ),
-                                   row_text(test.rows[i + 1], test.load, loads_differ)));
+        rows += fmt::format("\n    {}, {},", row_text(test.rows[i], test.load, loads_differ),
+                            row_text(test.rows[i + 1], test.load, loads_differ));
     }
-    rows.emplace_back("]");
-    writer.lines(rows);
-    writer.heading("[initial]");
+    writer.entry("rows", rows + "\n]");
+    writer.table("initial");
     writer.entry("temperature", room, "the tire has stood in the room");
-    writer.heading("[time]");
-    writer.entry("end", fmt::format("\"{:g} min\"", test.rows.back().minutes), "of the schedule");
-    writer.entry("output", "\"10 s\"", "between the rows of channels.csv");
+    writer.table("time");
+    writer.entry("end", fmt::format("{:g} min", test.rows.back().minutes), "of the schedule");
+    writer.entry("output", "10 s");
 }
 
 void write_drum_effects(CaseDraft& draft, const DrumTest& test) {
     CaseWriter& writer = draft.writer;
-    writer.heading("[effects.drum_curvature]", "a drum of 1.707 m in the place of a road");
-    writer.entry("curvature", "\"1.1716 1/m\"", "2 / 1.707 m");
-    writer.heading("[effects.inflation_pressure_rise]", "the gas that warms up raises the pressure");
+    writer.table("effects.drum_curvature", "a drum of 1.707 m in the place of a road");
+    writer.entry("curvature", "1.1716 1/m", "2 / 1.707 m");
+    writer.table("effects.inflation_pressure_rise", "the gas that warms up raises the pressure");
     writer.entry("exponent", "0.45", "loss ~ pressure^-0.45, SAE J2452, recalled");
-    writer.entry("reference", fmt::format("\"{:g} degC\"", test.room), "of the gas as it was filled");
+    writer.entry("reference", fmt::format("{:g} degC", test.room), "of the gas as it was filled");
 }
 
 void write_drum_critical(CaseDraft& draft) {
     CaseWriter& writer = draft.writer;
-    writer.heading("[[critical]]", "when does the belt's edge get too hot, and how sure is that?");
-    writer.entry("name", "\"belt edge\"");
-    writer.entry("temperature", "\"110 degC\"", "assumed: put that of your compound here");
+    writer.table("critical", "when does the belt's edge get too hot, and how sure is that?");
+    writer.entry("name", "belt edge");
+    writer.entry("temperature", "110 degC", "assumed: put that of your compound here");
     writer.entry("layers", "[\"belt\"]");
     writer.entry("zones", "[\"outside_shoulder\", \"inside_shoulder\"]");
-    writer.heading("[[critical]]");
-    writer.entry("name", "\"whole tire\"");
-    writer.entry("temperature", "\"110 degC\"", "assumed");
+    writer.table("critical");
+    writer.entry("name", "whole tire");
+    writer.entry("temperature", "110 degC", "assumed");
     writer.blank();
     writer.remark(
         "What is not known of the tire, one standard deviation each: `tiretherm run` says what it does to the peak.");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The log in a new case: [[run]] or [[drive.file]] with its columns, and what a fit may move.
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,77 +15,26 @@ namespace {
 /// "drive.csv" from the folder in which the case will be.
 std::string log_path(const CaseDraft& draft) {
     const std::filesystem::path folder = draft.request.target.parent_path();
-    return toml_text::value(toml_text::path_value(*draft.request.log, folder.empty() ? "." : folder));
+    return toml_text::path_value(*draft.request.log, folder.empty() ? "." : folder).text;
 }
 
-bool is_renamed(const LogColumn& column) { return column.is_used() && column.heading.name != column.name; }
-
-/// Writes a table of the log's columns: heads and lines as they are, or all of it behind a #.
-class ColumnTable {
-public:
-    ColumnTable(CaseWriter& writer, std::string heading, std::string comment, bool commented)
-        : writer_(writer), heading_(std::move(heading)), comment_(std::move(comment)), commented_(commented) {}
-
-    void entry(const LogColumn& column, const std::string& value, const std::string& comment) {
-        open();
-        const std::string key = toml_text::key(column.heading.name);
-        commented_ ? writer_.suggestion(key, value, comment) : writer_.entry(key, value, comment);
-    }
-    void suggestion(const LogColumn& column, const std::string& value, const std::string& comment) {
-        open();
-        writer_.suggestion(toml_text::key(column.heading.name), value, comment);
-    }
-
-private:
-    void open() {
-        if (!std::exchange(is_open_, true)) {
-            commented_ ? writer_.remark(heading_) : writer_.heading(heading_, comment_);
-        }
-    }
-    CaseWriter& writer_;
-    std::string heading_;
-    std::string comment_;
-    bool commented_;
-    bool is_open_ = false;
+/// A line of a table of the log's columns.
+struct ColumnLine {
+    std::string_view column;
+    std::string_view value;
+    std::string comment;
+    bool holds = true;  ///< else it is a suggestion
 };
 
-/// [run.columns] and [run.units], or those of [[drive.file]]: what holds, and behind a # what may hold.
-/// @param table "run" or "drive.file"  @param commented all of it behind a #
-void write_columns(CaseWriter& writer, const Log& log, std::string_view table, bool commented) {
-    const bool of_run = table == "run";
-    ColumnTable columns(writer, fmt::format("[{}.columns]", table),
-                        of_run ? "the log's column = what it is: time, an input or a sensor"
-                               : "the log's column = what it is: time or an input",
-                        commented);
-    for (const LogColumn& column : log.columns) {
-        const bool is_guess =
-            !column.is_used() && !column.suggestion.empty() && column.suggestion != column.heading.name;
-        if (is_renamed(column)) {
-            columns.entry(column, toml_text::in_quotes(column.name), column.title());
-        } else if (is_guess && of_run) {
-            columns.suggestion(column, toml_text::in_quotes(column.suggestion),
-                               fmt::format("{}: is it? Then take the # away", column.title()));
-        }
+void write_lines(CaseWriter& writer, const std::string& path, std::string_view comment,
+                 const std::vector<ColumnLine>& lines) {
+    if (!lines.empty()) {
+        writer.table(path, comment);
     }
-    ColumnTable units(writer, fmt::format("[{}.units]", table),
-                      "of columns whose heading has no unit, or one that cannot be read", commented);
-    for (const LogColumn& column : log.columns) {
-        if (column.is_used() && !column.unit.empty()) {
-            units.entry(column, toml_text::in_quotes(column.unit), column.unit_remark());
-        } else if (!column.is_used() && !column.suggested_unit.empty() && of_run) {
-            units.suggestion(column, toml_text::in_quotes(column.suggested_unit), "or what its unit is");
-        }
+    for (const ColumnLine& line : lines) {
+        line.holds ? writer.entry(line.column, line.value, line.comment)
+                   : writer.suggestion(line.column, line.value, line.comment);
     }
-}
-
-std::vector<std::string> ignored(const Log& log) {
-    std::vector<std::string> names;
-    for (const LogColumn& column : log.columns) {
-        if (!column.is_used() && column.must_ignore) {
-            names.push_back(toml_text::in_quotes(column.heading.name));
-        }
-    }
-    return names;
 }
 
 /// Columns that are left alone, in a sentence.
@@ -109,7 +57,12 @@ void write_unused(CaseWriter& writer, const Log& log) {
 }
 
 void write_ignored(CaseWriter& writer, const Log& log) {
-    const std::vector<std::string> names = ignored(log);
+    std::vector<std::string> names;
+    for (const LogColumn& column : log.columns) {
+        if (!column.is_used() && column.must_ignore) {
+            names.push_back(toml_text::in_quotes(column.heading.name));
+        }
+    }
     if (!names.empty()) {
         writer.entry("ignore", fmt::format("[{}]", fmt::join(names, ", ")), "columns that are not used");
     }
@@ -125,7 +78,7 @@ void write_parameters(const CaseDraft& draft, CaseWriter& writer, bool is_car, b
         "`tiretherm run` and `compare` take the values as they stand.",
         draft.is_specimen() ? "the laser" : "deformation"));
     if (draft.is_specimen()) {
-        write_parameter(writer, "still_air", "h", "\"3 W/m2K\"", "a film in still air");
+        write_parameter(writer, "still_air", "h", "3 W/m2K", "a film in still air");
         write_parameter(writer, "laser", "absorptivity", "0.05", "black rubber absorbs 0.9 to 1");
     } else {
         write_parameter(writer, "air_convection", "lambda_h", "0.1", "films are known to 10 %");
@@ -139,49 +92,46 @@ void write_parameters(const CaseDraft& draft, CaseWriter& writer, bool is_car, b
         }
     }
     if (is_car && road_is_assumed) {
-        writer.heading("[effects.road_temperature_drift]", "does nothing but for its offset, which a fit may move");
-        write_parameter(writer, "road_temperature_drift", "offset", "\"10 K\"", "a road in the sun",
+        writer.table("effects.road_temperature_drift", "does nothing but for its offset, which a fit may move");
+        write_parameter(writer, "road_temperature_drift", "offset", "10 K", "a road in the sun",
                         "how much hotter the road is than [drive] says");
     }
-    writer.heading("[[parameter]]");
+    writer.table("parameter");
     writer.entry(
-        "initial", "\"temperature\"",
+        "initial", "temperature",
         draft.is_specimen() ? "a shift of the whole specimen at the start" : "a shift of the whole tire at the start");
-    writer.entry("standard_deviation", "\"3 K\"", "assumed");
+    writer.entry("standard_deviation", "3 K", "assumed");
 }
 
 void write_run(CaseDraft& draft, const Log& log) {
     CaseWriter& writer = draft.writer;
-    writer.blank();
     if (log.is_car) {
-        writer.remark("What the log's columns are: of the car, then of each tire.");
+        writer.caption("What the log's columns are: of the car, then of each tire.");
         write_car_columns(draft, log);
-        writer.blank();
     }
-    writer.remark("The log as a measured run: its inputs win over [drive], what its sensors read is compared.");
+    writer.caption("The log as a measured run: its inputs win over [drive], what its sensors read is compared.");
     write_unused(writer, log);
-    writer.lines({"[[run]]"});
+    writer.table("run");
     writer.entry("file", log_path(draft), "from this file's folder");
     if (const std::string laps = shown_laps(log); !laps.empty()) {
-        writer.suggestion("laps", fmt::format("\"{}\"", laps), "the whole laps of the log, or some of them");
+        writer.suggestion("laps", laps, "the whole laps of the log, or some of them");
     }
-    writer.suggestion("from", fmt::format("\"{}\"", shown_seconds(log.time.front())), "a part of the log");
-    writer.suggestion("to", fmt::format("\"{}\"", shown_seconds(log.time.back())));
+    writer.suggestion("from", shown_seconds(log.time.front()));
+    writer.suggestion("to", shown_seconds(log.time.back()));
     write_ignored(writer, log);
     if (!log.is_car) {
-        write_columns(writer, log, "run", false);
+        write_columns(writer, log, "run");
     }
     write_parameters(draft, writer, log.is_car && log.has_motion(), draft.column("road_temperature") == nullptr);
 }
 
 void write_drive_file(CaseDraft& draft, const Log& log) {
     CaseWriter& writer = draft.writer;
-    writer.blank();
-    writer.remark(fmt::format("The log drives the {}.", draft.is_specimen() ? "specimen" : "tire"));
-    writer.lines({"[[drive.file]]"});
+    writer.caption(fmt::format("The log drives the {}.", draft.is_specimen() ? "specimen" : "tire"));
+    writer.table("drive.file");
     writer.entry("path", log_path(draft), "from this file's folder");
     write_ignored(writer, log);
-    write_columns(writer, log, "drive.file", false);
+    write_columns(writer, log, "drive.file");
 }
 
 /// How to compare once a column is known to be a sensor's.
@@ -191,23 +141,61 @@ void suggest_run(CaseDraft& draft, const Log& log) {
         suggest_corners(draft, log);
         return;
     }
-    writer.blank();
-    writer.remark(
+    writer.caption(
         "No column of the log is known to be a sensor of this case, so there is nothing to compare with. Say below "
         "which one is, and take the # away from here on.");
     write_unused(writer, log);
-    writer.remark("[[run]]");
-    writer.suggestion("file", log_path(draft), "from this file's folder");
-    write_columns(writer, log, "run", true);
+    writer.comment_out(true);
+    writer.table("run");
+    writer.entry("file", log_path(draft), "from this file's folder");
+    write_columns(writer, log, "run");
+    writer.comment_out(false);
 }
 
 }  // namespace
 
+void write_columns(CaseWriter& writer, const Log& log, const std::string& table,
+                   const std::optional<std::string>& corner) {
+    const bool is_first = !corner || corner->empty();
+    const bool may_suggest = table != "drive.file";  // a column that may be a sensor's is no input
+    std::vector<ColumnLine> names;
+    std::vector<ColumnLine> units;
+    for (const LogColumn& column : log.columns) {
+        const std::string& heading = column.heading.name;
+        if (corner && column.corner != *corner) {
+            continue;
+        }
+        if (column.is_used() && heading != column.name) {
+            names.push_back({heading, column.name, column.title()});
+        }
+        if (column.is_used() && !column.unit.empty()) {
+            units.push_back({heading, column.unit, column.unit_remark()});
+        }
+        if (column.is_used() || !may_suggest) {
+            continue;
+        }
+        if (!column.suggestion.empty() && (corner || column.suggestion != heading)) {
+            const std::string question = corner ? column.reason : "is it? Then take the # away";
+            names.push_back({heading, column.suggestion, fmt::format("{}: {}", column.title(), question), false});
+        }
+        if (!column.suggested_unit.empty()) {
+            units.push_back({heading, column.suggested_unit, "or what its unit is", false});
+        }
+    }
+    write_lines(writer, table + ".columns",
+                !is_first     ? ""
+                : may_suggest ? "the log's column = what it is: time, an input or a sensor"
+                              : "the log's column = what it is: time or an input",
+                names);
+    write_lines(writer, table + ".units",
+                is_first ? "of columns whose heading has no unit, or one that cannot be read" : "", units);
+}
+
 void write_parameter(CaseWriter& writer, std::string_view effect, std::string_view key, std::string_view deviation,
                      std::string_view ground, std::string_view meaning) {
-    writer.heading("[[parameter]]");
-    writer.entry("effect", toml_text::in_quotes(effect));
-    writer.entry("key", toml_text::in_quotes(key), meaning);
+    writer.table("parameter");
+    writer.entry("effect", effect);
+    writer.entry("key", key, meaning);
     writer.entry("standard_deviation", deviation, fmt::format("assumed: {}", ground));
 }
 

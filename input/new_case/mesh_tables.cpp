@@ -4,12 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <span>
 
 #include <fmt/format.h>
 
 #include "input/new_case/case_tables.hpp"
-#include "input/toml/toml_text.hpp"
 #include "physics/effect.hpp"
 #include "physics/tire.hpp"
 
@@ -26,7 +24,7 @@ void thicken(CasePart& layer, double more_mm) {
     const auto read = std::from_chars(written.data(), written.data() + written.size(), thickness);
     std::from_chars(count.data(), count.data() + count.size(), cells);
     const double thicker = thickness + more_mm;
-    layer.replace("thickness", fmt::format("\"{:g}{}\"", thicker, read.ptr),
+    layer.replace("thickness", fmt::format("{:g}{}", thicker, read.ptr),
                   fmt::format("assumed: {:g} mm more than a passenger tire's", more_mm));
     layer.replace("cells", fmt::format("{}", std::lround(cells * thicker / thickness)), "through the thickness");
 }
@@ -52,10 +50,10 @@ void write_effect(CaseWriter& writer, std::string_view id, bool on_drum) {
         return;
     }
     const std::string_view meaning = effect->meaning.substr(0, effect->meaning.find_first_of(".;:"));
-    writer.heading(fmt::format("[effects.{}]", id), meaning);
+    writer.table(fmt::format("effects.{}", id), meaning);
     for (const physics::ParameterSpec& parameter : effect->parameters) {
         if (found != adjusted.end() && std::ranges::find(found->keys, parameter.key) != found->keys.end()) {
-            writer.entry(parameter.key, toml_text::quantity(parameter.standard, parameter.unit), parameter.meaning);
+            writer.entry(parameter.key, parameter.standard);
         }
     }
     if (on_drum && id == "strain_energy_loss") {
@@ -63,7 +61,7 @@ void write_effect(CaseWriter& writer, std::string_view id, bool on_drum) {
                      "assumed: at its edges the belt loses twice as much per mass as elsewhere");
     }
     if (on_drum && id == "air_convection") {
-        writer.entry("exponential", "\"off\"", "that of thesis (33) was fitted on a road at surfaces below 100 degC");
+        writer.entry("exponential", "off", "that of thesis (33) was fitted on a road at surfaces below 100 degC");
     }
 }
 
@@ -80,7 +78,7 @@ void write_mesh(CaseDraft& draft) {
             thicken(part, std::round(more * 1e6) * 1e-3);
         }
         draft.writer.blank();
-        draft.writer.lines(part.lines);
+        draft.writer.lines(part.lines, part.table);
     }
 }
 
@@ -112,14 +110,14 @@ namespace {
 void write_infrared(CaseDraft& draft, int zones) {
     CaseWriter& writer = draft.writer;
     const double half = 0.5e3 * draft.request.size.width;
-    writer.heading("[[sensor]]");
-    writer.entry("name", "\"infrared\"", fmt::format("the channels infrared_1 to infrared_{}", zones));
-    writer.entry("kind", "\"strips\"");
+    writer.table("sensor");
+    writer.entry("name", "infrared", fmt::format("the channels infrared_1 to infrared_{}", zones));
+    writer.entry("kind", "strips");
     writer.entry("count", fmt::format("{}", zones));
-    writer.entry("from", fmt::format("\"{:g} mm\"", -half), "assumed: it sees the whole tread, as wide as the tire");
-    writer.entry("to", fmt::format("\"{:g} mm\"", half));
-    writer.entry("first", "\"outboard\"", "assumed; or \"inboard\"");
-    writer.suggestion("standard_deviation", "\"1 K\"", "of one reading, by its data sheet");
+    writer.entry("from", fmt::format("{:g} mm", -half), "assumed: it sees the whole tread, as wide as the tire");
+    writer.entry("to", fmt::format("{:g} mm", half));
+    writer.entry("first", "outboard", "assumed; or \"inboard\"");
+    writer.suggestion("standard_deviation", "1 K", "of one reading, by its data sheet");
     draft.assume("infrared_1", "outboard", "number 1 of the array; first = \"inboard\" in its [[sensor]] turns it");
 }
 
@@ -134,9 +132,9 @@ void write_sensors(CaseDraft& draft) {
             continue;
         }
         draft.writer.blank();
-        draft.writer.lines(sensor.lines);
+        draft.writer.lines(sensor.lines, "sensor");
         if (column != nullptr) {
-            const std::string_view example = sensor.spec.unit == "K" ? "\"0.5 K\"" : "\"...\"";
+            const std::string_view example = sensor.spec.unit == "K" ? "0.5 K" : "...";
             draft.writer.suggestion("standard_deviation", example,
                                     fmt::format("of one reading of {}, by its data sheet", column->title()));
         }

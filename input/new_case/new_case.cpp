@@ -12,7 +12,6 @@
 #include "input/runs/runs.hpp"
 #include "input/text/characters.hpp"
 #include "input/text/word_lists.hpp"
-#include "input/toml/toml_text.hpp"
 #include "physics/tire.hpp"
 
 namespace tiretherm::input {
@@ -145,7 +144,7 @@ void write_head(CaseDraft& draft) {
     const std::string title = request.log           ? fmt::format("{}, {}", subject, request.log->stem().string())
                               : draft.is_specimen() ? subject
                                                     : fmt::format("{} on {}", subject, draft.mesh.what);
-    writer.entry("title", toml_text::in_quotes(printable(title)));
+    writer.entry("title", printable(title));
     writer.entry("sources", draft.mesh.sources);
 }
 

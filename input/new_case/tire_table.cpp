@@ -5,14 +5,13 @@
 #include <fmt/format.h>
 
 #include "input/new_case/case_tables.hpp"
-#include "input/toml/toml_text.hpp"
 #include "physics/tire_laws/scaled_tire.hpp"
 
 namespace tiretherm::input {
 
 namespace {
 
-std::string in_mm(double metres, int digits) { return fmt::format("\"{:.{}f} mm\"", metres * 1e3, digits); }
+std::string in_mm(double metres, int digits) { return fmt::format("{:.{}f} mm", metres * 1e3, digits); }
 
 /// A number to some digits, its exponent without a leading zero: -4.2e-6.
 std::string short_number(double value, int digits) {
@@ -44,14 +43,12 @@ constexpr Reasons scaled{
 
 void write_laws(CaseWriter& writer, const physics::Tire& tire, const Reasons& why) {
     writer.entry("contact_length_limit", in_mm(tire.contact_length_limit, 0), why.length_limit);
-    writer.entry("contact_length_slope", fmt::format("\"{} 1/kN\"", short_number(tire.contact_length_slope, 3)),
+    writer.entry("contact_length_slope", fmt::format("{} 1/kN", short_number(tire.contact_length_slope, 3)),
                  why.length_slope);
-    writer.entry("contact_area_at_zero", fmt::format("\"{} m2\"", short_number(tire.contact_area_at_zero, 4)),
-                 "A of (35)");
-    writer.entry("contact_area_slope", fmt::format("\"{} m2/N\"", short_number(tire.contact_area_slope, 4)), why.area);
+    writer.entry("contact_area_at_zero", fmt::format("{} m2", short_number(tire.contact_area_at_zero, 4)), "A of (35)");
+    writer.entry("contact_area_slope", fmt::format("{} m2/N", short_number(tire.contact_area_slope, 4)), why.area);
     writer.entry("loaded_radius_at_zero", in_mm(tire.loaded_radius_at_zero, 1), "A of (37): the unloaded radius");
-    writer.entry("loaded_radius_slope", fmt::format("\"{} m/N\"", short_number(tire.loaded_radius_slope, 3)),
-                 why.loaded);
+    writer.entry("loaded_radius_slope", fmt::format("{} m/N", short_number(tire.loaded_radius_slope, 3)), why.loaded);
     writer.entry("rolling_radius_factor", in_mm(tire.rolling_radius_factor, 1), why.rolling);
     writer.entry("rolling_radius_exponent", short_number(tire.rolling_radius_exponent, 3), why.exponent);
 }
@@ -78,13 +75,11 @@ void write_tire(CaseDraft& draft) {
         draft.assume("tire.size", size.text, size.assumption);
     }
     if (is_thesis) {
-        writer.blank();
-        writer.remark(
+        writer.caption(
             "The tire of the thesis (V.5): replace what you have measured of yours. Each law of the load may also "
             "be a table: contact_length = { columns = [\"load [kN]\", \"length [mm]\"], rows = [[2, 60], [4, 97]] }");
     } else {
-        writer.blank();
-        writer.remark(
+        writer.caption(
             fmt::format("Only the size is known of the tire. Its laws of the load are those of the thesis's 225/50 "
                         "R17, scaled at {:g} "
                         "kPa with a vertical stiffness {:.3f} times as high (ratio of Rhyne's formula for belted "
@@ -97,9 +92,9 @@ void write_tire(CaseDraft& draft) {
                      fmt::format("scaled from the thesis's 225/50 R17 at {:g} kPa{}{}", draft.inflation_pressure * 1e-3,
                                  draft.pressure_ground.empty() ? "" : ", ", draft.pressure_ground));
     }
-    writer.lines({"[tire]"});
+    writer.table("tire");
     writer.entry(
-        "size", toml_text::in_quotes(size.text),
+        "size", size.text,
         fmt::format("W = {:.5g} mm, H = {:.5g} mm, rim {:g} in{}{}", size.width * 1e3, size.section_height * 1e3,
                     size.rim_diameter / 0.0254, size.assumption.empty() ? "" : "; assumed: ", size.assumption));
     const Reasons& why = is_thesis ? thesis : scaled;
@@ -109,7 +104,7 @@ void write_tire(CaseDraft& draft) {
     writer.entry("sidewall_thickness", in_mm(draft.sidewall_thickness, 0),
                  "of the sidewall" + more_than_thesis(draft.sidewall_thickness - base_tire.sidewall_thickness));
     write_laws(writer, tire, why);
-    writer.entry("reference_pressure", fmt::format("\"{:g} kPa\"", draft.inflation_pressure * 1e-3),
+    writer.entry("reference_pressure", fmt::format("{:g} kPa", draft.inflation_pressure * 1e-3),
                  fmt::format("{}{}at which these laws hold; they follow drive.inflation_pressure where it is given",
                              draft.pressure_ground, draft.pressure_ground.empty() ? "" : "; "));
 }

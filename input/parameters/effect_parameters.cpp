@@ -12,7 +12,6 @@
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 #include "physics/user_effect_place.hpp"
-#include "solver/user_effect.hpp"
 
 namespace tiretherm::input {
 

@@ -3,8 +3,6 @@
 
 #include "input/parameters/mesh_change.hpp"
 
-#include <algorithm>
-
 #include "input/toml/toml_text.hpp"
 
 namespace tiretherm::input {

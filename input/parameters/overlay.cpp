@@ -2,14 +2,13 @@
 // A case laid over another: the original included, and what was fitted at the paths of its parameters.
 #include "input/parameters/overlay.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "input/case_text/case_writer.hpp"
 #include "input/parameters/effect_parameters.hpp"
-#include "input/text/characters.hpp"
 #include "input/text/word_lists.hpp"
 #include "input/toml/document.hpp"
 #include "input/toml/toml_text.hpp"
@@ -113,18 +112,16 @@ void lay_runs_over(TomlValue& over, const Overlay& overlay, const TomlValue& ori
     }
 }
 
-std::string heading(const Overlay& overlay) {
+void write_head(CaseWriter& writer, const Overlay& overlay) {
     std::vector<std::string> to;
     for (const OverlaidRun& run : overlay.runs) {
         to.push_back(run.file.empty() ? run.name : run.file.filename().string());
     }
-    // A title, a file or a remark of several lines must not end the comment.
     const std::string values = to.empty() ? "fitted values" : fmt::format("values fitted to {}", listed(to));
-    std::string text = fmt::format("# {}: {}\n", printable(overlay.before->title), printable(values));
+    writer.remark(fmt::format("{}: {}", overlay.before->title, values));
     for (const std::string& remark : overlay.remarks) {
-        text += fmt::format("# {}\n", printable(remark));
+        writer.remark(remark);
     }
-    return text;
 }
 
 }  // namespace
@@ -146,7 +143,10 @@ std::string overlay_text(const Overlay& overlay, const fs::path& folder) {
     }
     lay_corners_over(over, overlay);
     lay_runs_over(over, overlay, original, folder);
-    return heading(overlay) + toml_text::document(over);
+    CaseWriter writer;
+    write_head(writer, overlay);
+    writer.document(over);
+    return writer.text();
 }
 
 }  // namespace tiretherm::input

@@ -4,7 +4,6 @@
 #include "input/parameters/parameter_groups.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 // Paths of keys through the document of a case.
 #include "input/parameters/parameter_path.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>

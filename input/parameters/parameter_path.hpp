@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "input/toml/toml_table.hpp"
 #include "input/toml/tree.hpp"

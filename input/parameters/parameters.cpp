@@ -9,9 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "input/effects/user_effects.hpp"
 #include "input/parameters/effect_names.hpp"
-#include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 

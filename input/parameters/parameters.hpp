@@ -2,7 +2,6 @@
 // Reads what may be fitted and how: [[parameter]], [identify] and [diagnose].
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "input/columns/column_kinds.hpp"

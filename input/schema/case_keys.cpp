@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Keys of tables at the top of a case: form, unit and range, need and meaning, a line each.
 #include "input/schema/all_tables.hpp"
-#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input::schema {
-
-using namespace quantity_specs;
 
 // clang-format off
 std::vector<TableKeys> case_tables() {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Keys of [vehicle]: form, unit and range, need and meaning, a line each.
 #include "input/schema/all_tables.hpp"
-#include "input/text/quantity_specs.hpp"
 #include "physics/vehicle/vehicle.hpp"
 
 namespace tiretherm::input::schema {
-
-using namespace quantity_specs;
 
 // clang-format off
 std::vector<TableKeys> vehicle_tables() {
