@@ -78,6 +78,13 @@ public:
     /// Smallest value on [low, high].
     [[nodiscard]] double minimum(double low, double high) const;
 
+    /// Calls take(member) for all that a law is made of: does not compile where one is forgotten.
+    template <typename Take>
+    void visit_members(const Take& take) const {
+        const auto& [is_table, has_range, low, high, c0, c1, c2, x, y, area] = *this;
+        (take(is_table), take(has_range), take(low), take(high), take(c0), take(c1), take(c2), take(x), take(y),
+         take(area));
+    }
     friend bool operator==(const Curve&, const Curve&) = default;
 
 private:

@@ -57,6 +57,12 @@ public:
     [[nodiscard]] const std::vector<double>& samples() const { return samples_; }
     [[nodiscard]] std::span<const Series> series() const { return series_; }
     [[nodiscard]] const physics::Inputs& constants() const { return constants_; }
+    /// Calls take(member) for all that the inputs are made of: does not compile where one is forgotten.
+    template <typename Take>
+    void visit_members(const Take& take) const {
+        const auto& [constants, start, given, series, stops, samples] = *this;
+        (take(constants), take(start), take(given), take(series), take(stops), take(samples));
+    }
 
 private:
     physics::Inputs constants_;

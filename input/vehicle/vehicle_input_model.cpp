@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "input/vehicle/at_times.hpp"
+#include "solver/field_digest.hpp"
 
 namespace tiretherm::input {
 
@@ -107,28 +108,9 @@ std::vector<const physics::Signal*> VehicleInputModel::signals() const {
 }
 
 void VehicleInputModel::add_to(solver::Digest& digest) const {
-    input::add_to(digest, log_);
-    for (const solver::SignalHistory* history : {&measured_.camber, &air_, &measured_.vertical_load}) {
-        digest.add(history->time);
-        digest.add(history->value);
-    }
-    digest.add(settings_.corner);
-    digest.add(settings_.kind.driven);
-    for (const std::optional<physics::MagicFormula>& law : settings_.kind.laws) {
-        digest.add(law.has_value());
-        for (const double coefficient :
-             law ? std::array{law->pKy1, law->pDy1, law->pKx1, law->pDx1} : std::array<double, 4>{}) {
-            digest.add(coefficient);
-        }
-    }
-    digest.add(settings_.smoothing);
-    for (const TurnSign sign : {settings_.lateral_acceleration, settings_.yaw_rate, settings_.steering}) {
-        digest.add(sign);
-    }
-    for (const ComputedInput& one : computed_) {
-        digest.add(one.signal->name);
-    }
-    digest.add(has_disc_);
+    const auto& [settings, log, measured, air, computed, has_disc] = *this;
+    const auto add = [&](const auto&... member) { (solver::add_fields(digest, member), ...); };
+    add(settings, log, measured, air, computed, has_disc);
 }
 
 }  // namespace tiretherm::input

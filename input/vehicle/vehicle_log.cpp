@@ -225,20 +225,4 @@ std::optional<VehicleLog> find_vehicle_log(const DrivenSignals& signals, const S
     return sound ? std::optional(std::move(log)) : std::nullopt;
 }
 
-void add_to(solver::Digest& digest, const VehicleLog& log) {
-    for (const solver::SignalHistory* history :
-         {&log.speed, &log.longitudinal_acceleration, &log.lateral_acceleration, &log.yaw_rate,
-          &log.steering_wheel_angle, &log.brake_pressure, &log.course.course}) {
-        digest.add(history->time);
-        digest.add(history->value);
-    }
-    digest.add(log.course.source);
-    digest.add(log.course.pace);
-    digest.add(log.speed_is_brought_back);
-    for (const ErrorText& remark : log.remarks) {
-        digest.add(remark.what);
-        digest.add(remark.remedy);
-    }
-}
-
 }  // namespace tiretherm::input

@@ -47,9 +47,6 @@ struct VehicleLog {
     std::vector<ErrorText> remarks{};                 ///< which channels say nothing, a sentence each
 };
 
-/// All that it says, as a part of what something follows from.
-void add_to(solver::Digest& digest, const VehicleLog& log);
-
 /// Where the log has a signal. @param name that vehicle_signals has
 [[nodiscard]] solver::SignalHistory VehicleLog::*member_of(std::string_view name);
 

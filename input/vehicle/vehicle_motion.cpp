@@ -13,6 +13,7 @@
 #include "input/vehicle/clock_shift.hpp"
 #include "input/vehicle/turn_signs.hpp"
 #include "physics/vehicle/local_mean.hpp"
+#include "solver/field_digest.hpp"
 
 namespace tiretherm::input {
 
@@ -375,7 +376,7 @@ std::optional<MotionHistory> read_motion(const VehicleSettings& settings, const 
 
 solver::Digest::Value motion_origin(const VehicleSettings& settings, const VehicleLog& log) {
     solver::Digest digest;
-    add_to(digest, log);
+    solver::add_fields(digest, log);
     const physics::Vehicle vehicle = vehicle_of(settings.numbers, settings.kind);
     for (const double number : {settings.smoothing, settings.numbers[VehicleNumber::steering_ratio],
                                 vehicle.understeer_gradient(), vehicle.wheelbase()}) {

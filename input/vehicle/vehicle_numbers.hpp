@@ -70,6 +70,10 @@ public:
         return std::isnan((*this)[number]) ? other : (*this)[number];
     }
     [[nodiscard]] std::span<const double> all() const { return all_; }
+    template <typename Take>
+    void visit_members(const Take& take) const {
+        take(all_);
+    }
 
 private:
     std::array<double, n_vehicle_numbers> all_{};

@@ -8,14 +8,21 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <ranges>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "post/report/file.hpp"
+#include "solver/members.hpp"
 
 namespace tiretherm::post {
 
@@ -25,47 +32,56 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no NaN: null. Numbers keep all their digits.
-double number(const Json& json) {
-    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+/// The key of each member of an outcome in a line.
+constexpr std::array outcome_keys{"failure", "hottest", "hottest_time",   "hottest_layer", "hottest_zone", "final",
+                                  "min",     "max",     "energy_closure", "steps",         "parts",        "warnings"};
+static_assert(outcome_keys.size() == solver::count_members<StudyOutcome>());
+
+/// Lists and structs as arrays. JSON has no NaN: null. Numbers keep all their digits.
+template <typename T>
+Json to_json(const T& value) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+        return value;
+    } else {
+        Json all = Json::array();
+        const auto add = [&](const auto& one) { all.push_back(to_json(one)); };
+        if constexpr (std::ranges::range<T>) {
+            std::ranges::for_each(value, add);
+        } else {
+            solver::for_each_member(value, add);
+        }
+        return all;
+    }
 }
 
-/// A list of as many numbers as a run has channels; nothing else has this shape.
-std::optional<std::vector<double>> numbers(const Json& json, std::size_t channels) {
-    if (!json.is_array() || json.size() != channels) {
-        return std::nullopt;
+/// @errors Json::exception where the type is another one
+template <typename T>
+void from_json(const Json& json, T& into) {
+    if constexpr (std::is_same_v<T, double>) {
+        into = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+    } else if constexpr (std::is_arithmetic_v<T>) {
+        into = json.get_ref<const std::int64_t&>();
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        into = json.get<std::string>();
+    } else if constexpr (std::ranges::range<T>) {
+        for (const Json& item : json.get_ref<const Json::array_t&>()) {
+            from_json(item, into.emplace_back());
+        }
+    } else {
+        std::size_t i = 0;
+        solver::for_each_member(into, [&](auto& member) { from_json(json.at(i++), member); });
     }
-    std::vector<double> values;
-    values.reserve(channels);
-    for (const Json& item : json) {
-        values.push_back(number(item));
-    }
-    return values;
 }
 
 std::string line_of(const RunIdentity& run, const StudyOutcome& outcome, const std::string& build) {
     Json json{{"run", run.fingerprint}, {"values", run.values}, {"build", build}};
-    if (!outcome.ok()) {
-        json["failure"] = outcome.failure;
-    } else {
-        json["hottest"] = outcome.hottest;
-        json["hottest_time"] = outcome.hottest_time;
-        json["hottest_layer"] = outcome.hottest_layer;
-        json["hottest_zone"] = outcome.hottest_zone;
-        json["final"] = outcome.channel_final;
-        json["min"] = outcome.channel_min;
-        json["max"] = outcome.channel_max;
-        json["energy_closure"] = outcome.energy_closure;
-        json["steps"] = outcome.steps;
-        json["parts"] = Json::array();
-        for (const StudyOutcome::Part& part : outcome.parts) {
-            json["parts"].push_back({part.hottest, part.critical});
+    std::size_t i = 0;
+    solver::for_each_member(outcome, [&](const auto& member) {
+        const char* key = outcome_keys[i++];
+        if ((key == outcome_keys.front()) != outcome.ok()) {  // a failure has a reason and nothing else
+            json[key] = to_json(member);
         }
-        json["warnings"] = Json::array();
-        for (const solver::RangeWarning& warning : outcome.warnings) {
-            json["warnings"].push_back({warning.law, warning.what, warning.coldest, warning.hottest});
-        }
-    }
+    });
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -73,35 +89,19 @@ std::string line_of(const RunIdentity& run, const StudyOutcome& outcome, const s
 /// @errors Json::exception where a key is missing or its value is of another type
 std::optional<StudyOutcome> outcome_of(const Json& json, std::size_t channels) {
     StudyOutcome outcome;
-    if (json.contains("failure")) {
-        outcome.failure = json.at("failure").get<std::string>();
-        return outcome.ok() ? std::nullopt : std::optional(outcome);
-    }
-    const auto last = numbers(json.at("final"), channels);
-    const auto low = numbers(json.at("min"), channels);
-    const auto high = numbers(json.at("max"), channels);
-    if (!last || !low || !high || !json.at("steps").is_number_integer()) {
-        return std::nullopt;
-    }
-    outcome.hottest = json.at("hottest").get<double>();
-    outcome.hottest_time = json.at("hottest_time").get<double>();
-    outcome.hottest_layer = json.at("hottest_layer").get<std::string>();
-    outcome.hottest_zone = json.at("hottest_zone").get<std::string>();
-    outcome.channel_final = *last;
-    outcome.channel_min = *low;
-    outcome.channel_max = *high;
-    outcome.energy_closure = number(json.at("energy_closure"));
-    outcome.steps = json.at("steps").get<long>();
-    for (const Json& part : json.at("parts")) {
-        outcome.parts.push_back({part.at(0).get<double>(), part.at(1).get<double>()});
-    }
-    for (const Json& warning : json.at("warnings")) {
-        outcome.warnings.push_back({.law = warning.at(0).get<std::string>(),
-                                    .what = warning.at(1).get<std::string>(),
-                                    .coldest = warning.at(2).get<double>(),
-                                    .hottest = warning.at(3).get<double>()});
-    }
-    return outcome;
+    const bool failed = json.contains(outcome_keys.front());
+    std::size_t i = 0;
+    solver::for_each_member(outcome, [&](auto& member) {
+        const char* key = outcome_keys[i++];
+        if ((key == outcome_keys.front()) == failed) {
+            from_json(json.at(key), member);
+        }
+    });
+    const auto is_whole = [&](const std::vector<double>& values) { return values.size() == channels; };
+    const bool sound = failed ? !outcome.ok()
+                              : std::isfinite(outcome.hottest) && is_whole(outcome.channel_final) &&
+                                    is_whole(outcome.channel_min) && is_whole(outcome.channel_max);
+    return sound ? std::optional(std::move(outcome)) : std::nullopt;
 }
 
 /// Whether the first line of a text that is not blank was one of ours, before it was cut off or damaged.

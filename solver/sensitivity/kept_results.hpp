@@ -38,10 +38,7 @@ public:
 /// Those in use, or null.
 [[nodiscard]] KeptResults* kept_results();
 
-/// Adds everything of a problem that can differ between two simulations of one call. What only the files of a case say (the
-/// tire, its laws, measured losses) is the same in all of them and belongs to the identity of the call.
-void add(Digest& digest, const Problem& problem);
-/// Hash of a prediction. @param request of the problem
+/// Hash of a problem, with all that it has, and of what is asked of it. @param request of the problem
 [[nodiscard]] Digest::Value key_of(const Problem& problem, const PredictionRequest& request);
 
 /// A prediction that came to its end as numbers.
