@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the catalogue says of an effect, in the words of `tiretherm effects`, and the page docs/effects.md.
+// What the catalogue says of an effect as a report, and of all effects as the page docs/effects.md.
 #include "post/reference/effect_reference.hpp"
 
 #include <array>
@@ -7,7 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "physics/plausible_ranges.hpp"
+#include "post/report/table.hpp"
+
 namespace tiretherm::post {
+
+namespace {
 
 std::string kind_name(physics::Kind kind) {
     switch (kind) {
@@ -27,8 +32,10 @@ std::string kind_name(physics::Kind kind) {
     return "";
 }
 
+/// Whether it is part of the thesis's model.
 std::string origin(const physics::Effect& effect) { return effect.on ? "thesis, on by default" : "off by default"; }
 
+/// What a file of a structural code may give an effect, and what else may replace its total.
 std::string field_text(const physics::Effect& effect) {
     switch (effect.field()) {
         case physics::FieldOf::nothing:
@@ -45,6 +52,7 @@ std::string field_text(const physics::Effect& effect) {
     return "";
 }
 
+/// A unit as a table shows it: "-" for a pure number.
 std::string unit_text(std::string_view unit) { return unit == "1" ? std::string("-") : std::string(unit); }
 
 std::string acts_on_text(const physics::Effect& effect) {
@@ -60,26 +68,115 @@ std::string needs_text(const physics::Effect& effect) {
                                                   : "";
 }
 
-std::vector<physics::PlausibleRange> ranges_of(const physics::Effect& effect) {
-    std::vector<physics::PlausibleRange> ranges;
-    for (const physics::PlausibleRange& range : physics::plausible_ranges()) {
-        if (range.effect == effect.id) {
-            ranges.push_back(range);
-        }
-    }
-    return ranges;
-}
-
-std::string parameter_text(const physics::PlausibleRange& range) {
-    const std::string_view sensor = physics::name_of(range.sensor);
-    return fmt::format("{}{}{}", range.parameter == "*" ? "each" : range.parameter, sensor.empty() ? "" : ", ", sensor);
-}
-
+/// The unit of a range: of its parameter, of any of the effect's for "*", or of a material law.
 std::string range_unit(const physics::Effect& effect, const physics::PlausibleRange& range) {
     const int parameter = range.parameter == "*" ? 0 : physics::find_parameter(effect, range.parameter);
     return parameter >= 0                       ? unit_text(effect.parameters[static_cast<std::size_t>(parameter)].unit)
            : range.parameter == "heat_capacity" ? "J kg-1 K-1"
                                                 : "W m-1 K-1";
+}
+
+DataTable parameters_of(const physics::Effect& effect) {
+    DataTable table;
+    for (const physics::ParameterSpec& p : effect.parameters) {
+        table.add({{"parameter", "key", p.key},
+                   {"default", "default", shown("{:g}", p.standard)},
+                   {"from", "low", shown("{:g}", p.low)},
+                   {"to", "high", shown("{:g}", p.high)},
+                   {"unit", "unit", {std::string(p.unit), unit_text(p.unit), false}},
+                   {"meaning", "meaning", p.meaning}});
+    }
+    return table;
+}
+
+/// Of "conduction" those of material laws.
+DataTable ranges_of(const physics::Effect& effect) {
+    DataTable table;
+    for (const physics::PlausibleRange& range : physics::plausible_ranges()) {
+        if (range.effect != effect.id) {
+            continue;
+        }
+        const std::string_view sensor = physics::name_of(range.sensor);
+        const std::string parameter = fmt::format("{}{}{}", range.parameter == "*" ? "each" : range.parameter,
+                                                  sensor.empty() ? "" : ", ", sensor);
+        table.add({page_only("plausible", parameter),
+                   data_only("parameter", range.parameter),
+                   data_only("sensor", sensor),
+                   {"from", "low", shown("{:g}", range.low)},
+                   {"to", "high", shown("{:g}", range.high)},
+                   {"unit", "unit", range_unit(effect, range)},
+                   {"source", "source", range.source},
+                   {"a value beyond it means", "beyond", range.why}});
+    }
+    return table;
+}
+
+DataTable choices_of(const physics::Effect& effect) {
+    DataTable table;
+    for (const physics::Choice& choice : effect.choices) {
+        const std::vector<std::string_view> options(choice.options.begin(), choice.options.end());
+        table.add({{"word", "key", choice.key},
+                   {"values, the first is the default",
+                    "options",
+                    {Value(options), fmt::format("{}", fmt::join(options, ", ")), false}},
+                   {"meaning", "meaning", choice.meaning}});
+    }
+    return table;
+}
+
+DataTable tables_of(const physics::Effect& effect) {
+    DataTable table;
+    for (const physics::Table& t : effect.tables) {
+        table.add({{"table", "key", t.key},
+                   page_only("values", fmt::format("{} against {}", unit_text(t.value_unit), t.variable_unit)),
+                   data_only("unit", t.value_unit),
+                   data_only("against", t.variable_unit),
+                   {"meaning", "meaning", t.meaning}});
+    }
+    return table;
+}
+
+/// Sections of one paragraph each, empty where there is nothing special.
+void add(Report& report, const char* heading, const char* key, std::string_view text) {
+    report.data.set(key, text);
+    report.add(Section(heading, {std::string(text)}));
+}
+
+void add(Report& report, const char* heading, const char* key, std::span<const std::string_view> names,
+         std::string_view between = ", ") {
+    report.data.set(key, std::vector<std::string_view>(names.begin(), names.end()));
+    report.add(Section(heading, {fmt::format("{}", fmt::join(names, between))}));
+}
+
+void add(Report& report, const char* heading, const char* key, DataTable table) {
+    report.data.set(key, table.data());
+    report.add(Section(heading, std::move(table)));
+}
+
+}  // namespace
+
+Report effect_report(const physics::Effect& effect) {
+    Report report{.title = fmt::format("{} ({}, {})", effect.id, kind_name(effect.kind), origin(effect))};
+    report.data = {{"name", effect.id}, {"kind", kind_name(effect.kind)}, {"on", effect.on}};
+    add(report, "", "meaning", effect.meaning);
+    add(report, "Equation", "equation", effect.equation);
+    add(report, "Source", "source", effect.source);
+    add(report, "Valid", "valid", effect.valid);
+    add(report, "Parameters", "parameters", parameters_of(effect));
+    add(report, "Plausible ranges, in which the parameters of a tire are expected", "plausible_ranges",
+        ranges_of(effect));
+    add(report, "Words", "choices", choices_of(effect));
+    add(report, "Tables", "tables", tables_of(effect));
+    add(report, "From files", "from_files", field_text(effect));
+    add(report, "Reads the signals", "reads", effect.reads);
+    add(report, "Also, when given", "may_read", effect.may_read);
+    add(report, "Acts on the patches", "patches", effect.patches, effect.one_patch ? " or else " : ", ");
+    report.data.set("one_patch", effect.one_patch);
+    add(report, "Acts on", "acts_on", acts_on_text(effect));
+    add(report, "Needs", "needs", needs_text(effect));
+    report.data.set("needs_tire", effect.needs_tire);
+    report.data.set("needs_grid", effect.needs_grid);
+    return report;
 }
 
 namespace {
@@ -93,46 +190,18 @@ constexpr std::string_view page_head =
     "engineer\nexpects them, with their sources; a case may go beyond them.\nHow to write a new one: "
     "[extending.md](extending.md#an-effect).\n";
 
+/// The report of an effect below a heading of its own: tables as they are, each paragraph behind its section's heading.
 std::string markdown_of(const physics::Effect& effect) {
-    std::string text =
-        fmt::format("\n### {}\n\n*{}, {}.* {}\n\n", effect.id, kind_name(effect.kind), origin(effect), effect.meaning);
-    text += fmt::format("    {}\n\nSource: {}\n\nValid: {}.\n", effect.equation, effect.source, effect.valid);
-    if (!effect.parameters.empty()) {
-        text += "\n| parameter | default | from | to | unit | meaning |\n|---|---|---|---|---|---|\n";
+    std::string text = fmt::format("\n### {}\n\n*{}, {}.* ", effect.id, kind_name(effect.kind), origin(effect));
+    for (const Section& section : effect_report(effect).sections) {
+        for (const PageItem& block : section.blocks()) {
+            const std::string& heading = section.heading();
+            text += block.kind == PageItem::Kind::table ? "\n" + markdown_text(block.table)
+                    : heading.empty()                   ? block.text + "\n"
+                    : heading == "Equation"             ? fmt::format("\n    {}\n", block.text)
+                                                        : fmt::format("\n{}: {}.\n", heading, block.text);
+        }
     }
-    for (const physics::ParameterSpec& p : effect.parameters) {
-        text += fmt::format("| `{}` | {:g} | {:g} | {:g} | {} | {} |\n", p.key, p.standard, p.low, p.high,
-                            unit_text(p.unit), p.meaning);
-    }
-    const auto ranges = ranges_of(effect);
-    if (!ranges.empty()) {
-        text += "\n| plausible | from | to | unit | source | a value beyond it means |\n|---|---|---|---|---|---|\n";
-    }
-    for (const physics::PlausibleRange& range : ranges) {
-        text += fmt::format("| {} | {:g} | {:g} | {} | {} | {} |\n", parameter_text(range), range.low, range.high,
-                            range_unit(effect, range), range.source, range.why);
-    }
-    if (!effect.choices.empty() || !effect.tables.empty()) {
-        text += "\n| word or table | values | meaning |\n|---|---|---|\n";
-    }
-    for (const physics::Choice& choice : effect.choices) {
-        text += fmt::format("| `{}` | `{}` (the first is the default) | {} |\n", choice.key,
-                            fmt::join(choice.options, "`, `"), choice.meaning);
-    }
-    for (const physics::Table& t : effect.tables) {
-        text += fmt::format("| `{}` | {} against {} | {} |\n", t.key, unit_text(t.value_unit),
-                            unit_text(t.variable_unit), t.meaning);
-    }
-    const std::string patches = fmt::format("{}", fmt::join(effect.patches, effect.one_patch ? " or else " : ", "));
-    const auto add = [&](std::string_view name, const std::string& what) {
-        text += what.empty() ? "" : fmt::format("\n{}: {}.\n", name, what);
-    };
-    add("From files", field_text(effect));
-    add("Inputs", fmt::format("{}", fmt::join(effect.reads, ", ")));
-    add("Inputs, when given", fmt::format("{}", fmt::join(effect.may_read, ", ")));
-    add("Acts on the patches", patches);
-    add("Acts on", acts_on_text(effect));
-    add("Needs", needs_text(effect));
     return text;
 }
 

@@ -243,6 +243,21 @@ TEST(Effects, OneIsToldWithEquationSourceAndBounds) {
     EXPECT_EQ(json["parameters"][0]["unit"], "m");
 }
 
+// What a reader of the page learns, a program does: its table, what else it reads, what it needs; sidewalls or else the inside.
+TEST(Effects, JsonSaysAllThatThePageSays) {
+    const Json loss = Json::parse(call("effects strain_energy_loss --json").out);
+    const std::string page = call("effects strain_energy_loss").out;
+    EXPECT_EQ(loss["tables"][0]["key"], "profile");
+    EXPECT_EQ(loss["may_read"][0], "inflation_pressure");
+    EXPECT_EQ(loss["needs"], "a [tire]");
+    for (const char* heading : {"\nTables\n", "\nAlso, when given\n", "\nNeeds\n"}) {
+        EXPECT_NE(page.find(heading), std::string::npos) << heading << page;
+    }
+    EXPECT_EQ(Json::parse(call("effects sidewall_convection --json").out)["one_patch"], true);
+    EXPECT_EQ(Json::parse(call("effects sensor_lag --json").out)["acts_on"],
+              "the sensors that a case names: channels = [...]");
+}
+
 TEST(Effects, UnknownNameIsAnsweredWithTheNearestOne) {
     const Call wrong = call("effects lasr");
     EXPECT_EQ(wrong.exit_code, 1);
