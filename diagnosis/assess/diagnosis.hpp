@@ -38,6 +38,8 @@ struct CauseNumber {
     double value = 0.0;
     double low = 0.0;  ///< 95 %
     double high = 0.0;
+    std::size_t fitted = 0;  ///< index of the fitted number that it follows, of the model with the cause
+    double factor = 1.0;     ///< its value over that number's: companions of a number move in proportion
 };
 
 enum class CauseKind : std::uint8_t { effect, mesh };
@@ -58,6 +60,10 @@ struct Cause {
     int rank = 0;               ///< 1: the most likely
     std::string bound{};        ///< what to say when a number ended at its bound
     std::string implausible{};  ///< what to say when a number lies outside its plausible range
+
+    /// Widens the interval of each number to what an error of the model leaves of it.
+    /// @param half [n fitted numbers of the model] half widths
+    void widen(const std::vector<double>& half);
 };
 
 /// Heat that no effect of the catalogue explains: where it enters and which signal it follows.
@@ -82,6 +88,10 @@ struct ModelError {
     std::size_t channel = 0;  ///< index into Problem::channels
     double size = 0.0;        ///< SI, rms beyond the noise
     double time_scale = 0.0;  ///< s, its correlation time
+    double noise = 0.0;       ///< SI, standard deviation of the sensor: stated, or else estimated
+
+    /// By which channels of unlike quantities are compared.
+    [[nodiscard]] double in_noise() const { return size / noise; }
 };
 
 /// A free number of the case in the extended model, with the interval that the errors of the model leave.

@@ -87,7 +87,9 @@ Cause describe_cause(const DiagnosisState& found, const FittedHypothesis& one, s
                                  .unit = std::string(number.unit),
                                  .value = factor * value,
                                  .low = low,
-                                 .high = high});
+                                 .high = high,
+                                 .fitted = static_cast<std::size_t>(j),
+                                 .factor = factor});
     };
     const Eigen::Index j = one.number_of(i);
     add(j, candidate.parameter, 1.0);
@@ -237,6 +239,14 @@ const FittedHypothesis* implausible(const DiagnosisState& found) {
 }
 
 }  // namespace
+
+void Cause::widen(const std::vector<double>& half) {
+    for (CauseNumber& number : numbers) {
+        const double reach = std::abs(number.factor) * half[number.fitted];
+        number.low = std::min(number.low, number.value - reach);
+        number.high = std::max(number.high, number.value + reach);
+    }
+}
 
 void report(const DiagnosisState& found, Diagnosis& into) {
     into.verdict = found.verdict;

@@ -125,7 +125,10 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
         const double beyond = std::sqrt(std::max(0.0, square - floor * floor));
         if (beyond > least_error * floor && std::isfinite(beyond) && doubted) {
             const double seconds = time_scale(observations, left, static_cast<int>(c));
-            into.model_error.push_back({.channel = observations.channels[c], .size = beyond, .time_scale = seconds});
+            into.model_error.push_back({.channel = observations.channels[c],
+                                        .size = beyond,
+                                        .time_scale = seconds,
+                                        .noise = stated > 0.0 ? stated : noise.sigma});
             slow[c].correlation_time = std::max(slow[c].correlation_time, seconds);
         }
     }
@@ -144,17 +147,18 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
     if (doubted) {
         jackknife = jackknife_half_widths(state.search ? state.search->best().out.values : state.of_folds);
     }
-    const auto half_of = [&](Eigen::Index j) {
+    std::vector<double> halves;
+    for (Eigen::Index j = 0; j < fit.values.size(); ++j) {
         double blocks = deviations.wide * deviations.deviation[j];
         if (!doubted) {
             blocks = std::min(blocks, widest_undoubted * noise_alone[j]);
         }
-        return j < jackknife.size() ? std::max(blocks, jackknife[j]) : blocks;
-    };
+        halves.push_back(j < jackknife.size() ? std::max(blocks, jackknife[j]) : blocks);
+    }
     const std::vector<const Refit*> others = other_fits(state, !into.model_error.empty());
     for (std::size_t j = 0; j < score_data.experiment->parameters.size(); ++j) {
         const auto i = static_cast<Eigen::Index>(j);
-        const double half = half_of(i);
+        const double half = halves[j];
         double low = fit.values[i] - half;
         double high = fit.values[i] + half;
         for (const Refit* other : others) {
@@ -169,19 +173,9 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
                                      .low = std::max(numbers[j].low, low),
                                      .high = std::min(numbers[j].high, high)});
     }
-    if (best == nullptr) {
-        return;
-    }
     // The sizes of the causes carry the same errors.
-    for (std::size_t i = 0; i < best->candidates.size() && i < into.causes.size(); ++i) {
-        const Eigen::Index j = best->number_of(i);
-        for (CauseNumber& number : into.causes[i].numbers) {
-            if (number.value == best->fit.values[j]) {
-                const double half = half_of(j);
-                number.low = std::min(number.low, number.value - half);
-                number.high = std::max(number.high, number.value + half);
-            }
-        }
+    for (std::size_t i = 0; best != nullptr && i < best->candidates.size() && i < into.causes.size(); ++i) {
+        into.causes[i].widen(halves);
     }
 }
 

@@ -280,7 +280,7 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
         said.push_back(text);
     }
     if (!result.model_error.empty()) {
-        const ModelError& most = *std::ranges::max_element(result.model_error, {}, &ModelError::size);
+        const ModelError& most = *std::ranges::max_element(result.model_error, {}, &ModelError::in_noise);
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[most.channel];
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
         said.push_back(fmt::format(

@@ -70,7 +70,10 @@ Section fit_section(const IdentificationRecord& record, DataTable of_channels, D
                 "few values and not as thousands: white noise of the pixels is the same in all its rows, the camera's "
                 "drift and missing effects stand in the lower ones.");
         }
-        const auto most = std::ranges::max_element(record.result.channels, {}, &ChannelFit::grid_error);
+        // Beside the noise of each: kelvins and pascals have no common scale.
+        const auto most = std::ranges::max_element(record.result.channels, {}, [](const ChannelFit& one) {
+            return one.grid_error / std::max(one.noise.sigma, 1e-9);
+        });
         if (most->grid_error > 0.0) {
             const solver::Channel& channel = record.experiment.runs.front().problem.channels[most->channel];
             const solver::ShownUnit unit = solver::shown_unit(channel.quantity);

@@ -2,6 +2,7 @@
 // The heat budget of a run: what each effect gave or took, and that it adds up to what was stored.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -13,8 +14,19 @@ namespace tiretherm::post {
 
 namespace {
 
-/// Where the thesis measures its bulk, dZ. m
-constexpr double bulk_depth = 0.010;
+/// How deep the bulk lies below the surface: the length of the link between two nodes, dZ, or else of cells the distance
+/// of the two regions' mean depths. m
+double bulk_depth(const mesh::Mesh& mesh) {
+    if (!mesh.links.empty()) {
+        return mesh.links.front().length;
+    }
+    std::vector<double> depths;
+    std::ranges::transform(mesh.centre, std::back_inserter(depths), [](const mesh::Point& place) { return place[2]; });
+    const auto mean_depth = [&](std::string_view name) {
+        return mesh.regions[static_cast<std::size_t>(mesh.find_region(name))].mean(depths);
+    };
+    return mean_depth("bulk") - mean_depth("surface");
+}
 
 /// Five figures at the largest of the values, so that a column shows what adds up to what.
 int decimals_for(const std::vector<double>& values) {
@@ -117,8 +129,10 @@ Section heat_budget_section(const RunRecord& run) {
                                      [](const physics::ActiveEffect& active) { return active.effect->needs_tire; });
     if (is_tire && report.effective_two_node_conductance > 0.0) {  // where heat goes the other way, no link carries it
         const double link = run.problem.symmetry * report.effective_two_node_conductance;
-        section.say(fmt::format("equivalent two-node link: {:.4g} W/K, or k = {:.3g} W/mK over 10 mm", link,
-                                link * bulk_depth / run.problem.tire.outer_area()));
+        const double depth = bulk_depth(run.problem.mesh);
+        section.say(fmt::format("equivalent two-node link: {:.4g} W/K, or k = {:.3g} W/mK over {:.3g} mm{}", link,
+                                link * depth / run.problem.tire.outer_area(), 1e3 * depth,
+                                run.problem.mesh.links.empty() ? ", the mean depth of the bulk" : ""));
     }
     return section;
 }

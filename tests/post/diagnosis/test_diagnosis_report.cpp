@@ -181,6 +181,16 @@ TEST(DiagnosisReport, TheChannelThatGainsTheLargestShareIsNamed) {
     EXPECT_TRUE(has(on_one_line(page(made_up)), "bulk_temperature: rms from 1 to 0.5 K)")) << page(made_up);
 }
 
+// The surface is off by 2 K, four of its standard deviations; the gauge by 500 Pa, half of one of its own.
+TEST(DiagnosisReport, TheRemainingErrorIsThatOfTheChannelThatIsMostStandardDeviationsOff) {
+    MadeUp made_up = sample::named();
+    made_up.experiment.runs.front().problem.channels[1].quantity = solver::Quantity::gas_pressure;
+    made_up.result.model_error = {{.channel = 0, .size = 2.0, .time_scale = 30.0, .noise = 0.5},
+                                  {.channel = 1, .size = 500.0, .time_scale = 30.0, .noise = 1000.0}};
+    EXPECT_TRUE(has(on_one_line(page(made_up)), "Remaining error: surface_temperature differs by 2 K rms"))
+        << page(made_up);
+}
+
 TEST(DiagnosisReport, AStoppedDiagnosisSaysAfterHowLongAndWhatIsBest) {
     MadeUp made_up = sample::cannot_tell();
     made_up.result.stopped = "search of causes";

@@ -111,6 +111,19 @@ TEST(IdentificationHeadline, OfAPlanIsTheWidthThatIntervalsWouldHave) {
     EXPECT_EQ(sentences.back().find("rms"), std::string::npos);
 }
 
+// The grid moves the surface by 0.2 K, two fifths of its noise, and the gauge by 50 Pa, a twentieth of its own.
+TEST(FitSection, NamesTheGridErrorOfTheChannelThatItMovesMost) {
+    MadeUpFit fit;
+    fit.experiment.runs.front().problem.channels[1].quantity = solver::Quantity::gas_pressure;
+    fit.result.channels[0].grid_error = 0.2;
+    fit.result.channels[0].noise.sigma = 0.5;
+    fit.result.channels[1].grid_error = 50.0;
+    fit.result.channels[1].noise.sigma = 1000.0;
+    const post::Report report = post::identification_report(fit.record(), {});
+    EXPECT_NE(post::page_text(report, false).find("at most 0.2 K of"), std::string::npos)
+        << post::page_text(report, false);
+}
+
 // Two laps of the first run: a row for each, and one for each run as a whole, of two channels in three runs. Of runs without laps
 // there is no such file.
 TEST(IdentificationFiles, LapsAreWrittenWhereThereAreAny) {

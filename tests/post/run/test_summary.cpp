@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The summary of a run as text, line by line, and as JSON, for hand-made results.
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -201,6 +202,13 @@ TEST(Summary, TireIsComparedWithATwoNodeModelWhereThatHasAMeaning) {
     // k = G dZ / S_tot = 0.125 * 0.010 / (2 pi 0.3308 0.225) = 0.00267
     EXPECT_NE(made_up.text().find("k = 0.00267 W/mK"), std::string::npos) << made_up.text();
     EXPECT_EQ(made_up.json()["effective_two_node_conductance"], 0.125);
+    // The bulk lies from 8 to 12 mm; everything 1.5 times as deep, its mean depth is 15 mm and k 1.5 times as large.
+    EXPECT_NE(made_up.text().find("over 10 mm, the mean depth of the bulk\n"), std::string::npos) << made_up.text();
+    std::ranges::for_each(made_up.problem.mesh.centre, [](mesh::Point& centre) { centre[2] *= 1.5; });
+    EXPECT_NE(made_up.text().find("k = 0.00401 W/mK over 15 mm, the mean"), std::string::npos) << made_up.text();
+    // A link says itself how long it is.
+    made_up.problem.mesh.links = {{.name = "bulk_to_surface", .length = 0.02, .region = 1}};
+    EXPECT_NE(made_up.text().find("k = 0.00535 W/mK over 20 mm\n"), std::string::npos) << made_up.text();
     made_up.report.effective_two_node_conductance = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(made_up.text().find("two-node"), std::string::npos);
     EXPECT_TRUE(made_up.json()["effective_two_node_conductance"].is_null());
