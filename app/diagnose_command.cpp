@@ -188,9 +188,8 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "Each of several runs alone as well, however long that takes. Default: where all together took up to 60 s");
     command->add_flag("--no-by-run", call->no_by_run, "No run alone")->excludes(by_run);
     const auto of_table = std::make_shared<TableOptions>();
-    command->add_option("--model", of_table->model, "Of a table: the model that is diagnosed. Default: two_node")
-        ->option_text("two_node|section")
-        ->check(CLI::IsMember({"two_node", "section"}));
+    command->add_option("--model", of_table->model, "Of a table: the model that is diagnosed. Default: its first one")
+        ->option_text("KEY");
     command
         ->add_option("--threads", of_table->threads,
                      "Of a table: runs at a time. Default: as many as the machine can do")
@@ -209,7 +208,7 @@ void add_diagnose_command(CLI::App& program, int& exit_code) {
         "ignore say.\n"
         "CASE may also be a table of measured numbers over many experiments, as `validate` reads it. Then additions "
         "to\n"
-        "one model (effects, parameters, the other mesh, unprinted inputs, instruments) are judged by experiments that "
+        "one model (effects, parameters, another mesh, unprinted inputs, instruments) are judged by experiments that "
         "took\n"
         "no part in fitting them. Its files are report.html, page.txt and diagnosis.json.\n"
         "Differences are simulated - measured.\n"

@@ -13,6 +13,7 @@
 #include "app/messages.hpp"
 #include "diagnosis/quoted/quoted_diagnosis.hpp"
 #include "input/files/run_name.hpp"
+#include "input/text/suggestions.hpp"
 #include "input/validation/validation.hpp"
 #include "post/quoted/quoted_report.hpp"
 #include "solver/stop_signal.hpp"
@@ -23,37 +24,52 @@ namespace {
 
 constexpr const char* consequence = "nothing was diagnosed";
 
-/// Says what is wrong with the call and returns true.
-bool refuses(const MeasuredCall& call, const input::ValidationReading& reading, std::size_t model) {
+/// Index of the model that is asked for. Says what is wrong with the call and returns nothing.
+std::optional<std::size_t> model_of(const MeasuredCall& call, const input::ValidationReading& reading,
+                                    const std::string& wanted) {
     if (!call.data.empty()) {
         report_error("a table of measured numbers has no place for --data",
                      "name a case with [[run]] to diagnose a log, or call it without --data", call.json);
-        return true;
+        return std::nullopt;
     }
     if (!reading.table) {
         report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings}, consequence,
                       call.json);
-        return true;
+        return std::nullopt;
     }
-    const bool any = std::ranges::any_of(reading.table->numbers, [&](const input::ValidationNumber& number) {
-        return number.is_measured && number.models[model].has_value();
-    });
-    if (!any) {
-        report_error(
-            fmt::format("{}: no measured number is read from the model {}", call.case_file, input::model_names[model]),
-            fmt::format("take --model {}", input::model_names[1 - model]), call.json);
+    std::vector<std::string> keys;
+    std::vector<std::string> measured;
+    for (std::size_t m = 0; m < reading.table->models.size(); ++m) {
+        keys.push_back(reading.table->models[m].key);
+        if (std::ranges::any_of(reading.table->numbers, [&](const input::ValidationNumber& number) {
+                return number.is_measured && number.models[m].has_value();
+            })) {
+            measured.push_back(keys.back());
+        }
     }
-    return !any;
+    const std::string& model = wanted.empty() ? keys.front() : wanted;
+    const auto found = std::ranges::find(keys, model);
+    if (found == keys.end()) {
+        report_error(fmt::format("{} has no model \"{}\"", call.case_file, model),
+                     input::suggest(model, keys, "models"), call.json);
+        return std::nullopt;
+    }
+    if (std::ranges::find(measured, model) == measured.end()) {
+        report_error(fmt::format("{}: no measured number is read from the model {}", call.case_file, model),
+                     measured.empty() ? "" : fmt::format("take --model {}", fmt::join(measured, " or --model ")),
+                     call.json);
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(found - keys.begin());
 }
 
 }  // namespace
 
 int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
-    const auto model =
-        static_cast<std::size_t>(std::ranges::find(input::model_names, options.model) - input::model_names.begin());
     const input::ValidationReading reading =
         while_reading(call.case_file, [&] { return input::read_validation(call.case_file); });
-    if (refuses(call, reading, model)) {
+    const std::optional<std::size_t> model = model_of(call, reading, options.model);
+    if (!model) {
         return Exit::input_error;
     }
     const std::filesystem::path directory = folder_of(call, "out/" + input::plain_stem(call.case_file));
@@ -72,7 +88,7 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
     SimulationCount count(call.quiet);
-    diagnosis::quoted::Trials trials(*reading.table, model, options.threads, count.shown());
+    diagnosis::quoted::Trials trials(*reading.table, *model, options.threads, count.shown());
     const auto stopped = [&] {
         count.wipe();
         return was_stopped(consequence, call.json);
@@ -81,7 +97,7 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
         return stop_exit();
     }
     const diagnosis::quoted::QuotedDiagnosis result =
-        diagnosis::quoted::diagnose_quoted(*reading.table, trials, {.model = model, .threads = options.threads});
+        diagnosis::quoted::diagnose_quoted(*reading.table, trials, {.model = *model, .threads = options.threads});
     count.wipe();
     if (solver::stop_requested() && stopped()) {
         return stop_exit();
@@ -90,7 +106,7 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
     post::QuotedRecord record{.result = result,
                               .title = reading.table->title,
                               .table = call.case_file,
-                              .model = model == 0 ? "two nodes" : "section",
+                              .model = reading.table->models[*model].name,
                               .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                               .warnings = reading.warnings};
     record.warnings.insert(record.warnings.end(), failures.begin(), failures.end());

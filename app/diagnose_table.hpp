@@ -10,7 +10,7 @@ namespace tiretherm::app {
 
 /// What a table needs to know beside what every diagnosis does.
 struct TableOptions {
-    std::string model = "two_node";
+    std::string model{};  ///< key; empty: the first of the table
     unsigned threads = 0;
     bool markdown = false;
 };

@@ -119,7 +119,7 @@ int validate(const ValidateOptions& options) {
     std::vector<std::string> warnings = reading.warnings;
     warnings.insert(warnings.end(), results.warnings.begin(), results.warnings.end());
     const diagnosis::ValidationRecord record{.title = table.title,
-                                             .models = {{"two_node", "two nodes"}, {"section", "section"}},
+                                             .models = table.models,
                                              .rows = diagnosis::validation_rows(table, results),
                                              .runs = table.runs.size(),
                                              .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),

@@ -14,7 +14,7 @@ namespace tiretherm::diagnosis::quoted {
 enum class AdditionKind : std::uint8_t {
     effect,     ///< of the catalogue, off in the cases
     number,     ///< of an effect that is on
-    mesh,       ///< the cases' other model; nothing is fitted
+    mesh,       ///< another model of the table; nothing is fitted
     input,      ///< of the experiments, not printed
     instrument  ///< offset or gain of all readings of one sensor's name
 };
@@ -33,6 +33,7 @@ struct Addition {
     double high = 0.0;
     std::string source{};         ///< of the range
     int input = -1;               ///< index into Numbers::inputs, of an input
+    std::size_t model = 0;        ///< index into Validation::models, of a mesh
     std::vector<double> nodes{};  ///< ascending values that were simulated, `absent` among them; of a mesh 0 and 1
     std::vector<std::vector<double>> changes{};  ///< [nodes][rows], in the unit of each row
     std::string failure{};                       ///< why it could not be simulated anywhere

@@ -66,7 +66,7 @@ struct Numbers {
     [[nodiscard]] Eigen::MatrixXd covariance(const std::vector<std::size_t>& of, const std::vector<int>& free) const;
 };
 
-/// @param model index into input::model_names   @param table rows as `validation_rows` makes them, of all its numbers
+/// @param model index into Validation::models   @param table rows as `validation_rows` makes them, of all its numbers
 [[nodiscard]] Numbers quoted_numbers(const input::Validation& validation, const std::vector<ValidationRow>& table,
                                      std::size_t model);
 

@@ -13,13 +13,15 @@ std::vector<Addition> Trials::additions(const Numbers& numbers) const {
     for (const std::size_t run : nominal_runs(model_)) {
         add_effects(all, candidates_[run], validation_.runs[run].problem);
     }
-    const std::size_t other = 1 - model_;
-    if (const std::vector<std::size_t> runs = nominal_runs(other); !runs.empty()) {
-        all.push_back({.kind = AdditionKind::mesh,
-                       .id = std::string(input::model_names[other]),
-                       .what = std::string(other == 1 ? "cross-section" : "two nodes"),
-                       .high = 1.0,
-                       .nodes = {0.0, 1.0}});
+    for (std::size_t other = 0; other < validation_.models.size(); ++other) {
+        if (other != model_ && !nominal_runs(other).empty()) {
+            all.push_back({.kind = AdditionKind::mesh,
+                           .id = validation_.models[other].key,
+                           .what = validation_.models[other].name,
+                           .high = 1.0,
+                           .model = other,
+                           .nodes = {0.0, 1.0}});
+        }
     }
     for (std::size_t k = 0; k < numbers.inputs.size(); ++k) {
         const UnknownInput& input = numbers.inputs[k];

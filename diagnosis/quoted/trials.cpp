@@ -93,9 +93,9 @@ std::vector<std::string> Trials::failures() const {
 }
 
 std::size_t Trials::model_of(const std::vector<Applied>& applied) const {
-    const bool other = std::ranges::any_of(
+    const auto other = std::ranges::find_if(
         applied, [](const Applied& one) { return one.addition->kind == AdditionKind::mesh && one.value > 0.0; });
-    return other ? 1 - model_ : model_;
+    return other != applied.end() ? other->addition->model : model_;
 }
 
 std::string Trials::source_word(std::size_t number) const {

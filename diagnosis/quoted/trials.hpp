@@ -31,7 +31,7 @@ struct ChannelEnd {
 /// Simulates the runs of a table with something added. Every run of the table as it is is simulated once.
 class Trials {
 public:
-    /// @param validation outlives this   @param model index into input::model_names, that is diagnosed
+    /// @param validation outlives this   @param model index into Validation::models, that is diagnosed
     /// @param threads 0: as many as the machine has   @param progress called with the number of simulations, or empty
     Trials(const input::Validation& validation, std::size_t model, unsigned threads,
            std::function<void(long)> progress);

@@ -40,7 +40,7 @@ ModelValue model_value(const input::Expression& expression, const RunResults& re
     return found;
 }
 
-InputEffect input_effect(const input::NumberInput& of_number, const input::ValidationInput& input,
+InputEffect input_effect(const input::NumberInput& of_number, const input::ValidationInput& input, std::size_t n_models,
                          const RunResults& results, const solver::ShownUnit& unit) {
     InputEffect effect{.name = input.name,
                        .meaning = input.meaning,
@@ -50,9 +50,9 @@ InputEffect input_effect(const input::NumberInput& of_number, const input::Valid
                        .ends = input.ends,
                        .unit = input.unit,
                        .numbers = input.numbers,
-                       .at_ends = std::vector<std::vector<std::optional<double>>>(input::n_models)};
+                       .at_ends = std::vector<std::vector<std::optional<double>>>(n_models)};
     for (const auto& models : of_number.at_ends) {
-        for (std::size_t m = 0; m < input::n_models; ++m) {
+        for (std::size_t m = 0; m < n_models; ++m) {
             if (models[m]) {
                 effect.at_ends[m].push_back(model_value(*models[m], results, unit).value);
             }
@@ -82,7 +82,7 @@ ValidationRow row_of(const input::ValidationNumber& number, const input::Validat
         row.models.push_back(expression ? model_value(*expression, results, unit) : ModelValue{});
     }
     for (const input::NumberInput& input : number.inputs) {
-        row.inputs.push_back(input_effect(input, table.inputs[input.input], results, unit));
+        row.inputs.push_back(input_effect(input, table.inputs[input.input], table.models.size(), results, unit));
     }
     return row;
 }

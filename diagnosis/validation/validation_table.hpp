@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "input/validation/validation.hpp"
+
 /// Measured numbers beside those of the models.
 namespace tiretherm::diagnosis {
 
@@ -88,16 +90,10 @@ enum class Judgement : std::uint8_t {
 /// (ramp)" with the input that moves it most; "failed"; empty where nothing was measured.
 [[nodiscard]] std::string verdict(const ValidationRow& row, std::size_t model);
 
-/// A model as programs and as people call it.
-struct ModelName {
-    std::string key;   ///< "two_node"
-    std::string name;  ///< "two nodes"
-};
-
 /// A table with what it took to make it.
 struct ValidationRecord {
     std::string title;
-    std::vector<ModelName> models;
+    std::vector<input::ValidationModel> models;
     std::vector<ValidationRow> rows;
     std::size_t runs = 0;
     double seconds = 0.0;         ///< wall time

@@ -17,13 +17,14 @@ std::vector<TableKeys> validation_tables() {
             value("unset", "As in a case."),
             tables("number", "The numbers.").required(),
             tables("input", "The inputs of the experiments."),
+            tables("model", "The models that are judged. Default: `two_node` and `section`."),
         }},
         {"number", TableForm::list,
          "A measured number and how it is read from a simulation: `at` a time or `\"end\"`; `take` over a span; or `time_to`. With none of them it is the value at the end. A number without a measured value is shown, not judged. A model is within a number up to twice its standard uncertainty; an order holds or does not. Where that depends on an input that is not printed, the number is not decidable.", {
             text("id", "Of the experiment; `--only M12` runs these alone.").required(),
             text("what", "What is measured.").required(),
-            text("case", "From the table's folder; `_two_node.toml` and `_section.toml` are added."),
-            subtable("files", "`{ two_node = \"...\", section = \"...\" }` in place of `case`."),
+            text("case", "From the table's folder; `_` and the key of each model, `.toml`, are added: `_two_node.toml`."),
+            subtable("files", "By the keys of the models, `{ two_node = \"...\", section = \"...\" }` in place of `case`."),
             texts("models", "Models that are judged. Default: all that have a file."),
             text("channel", "A sensor of the case.").sometimes(),
             quantity("at", moment, "A time, or `\"end\"`."),
@@ -42,6 +43,10 @@ std::vector<TableKeys> validation_tables() {
             flag("about_the_model", "The source says this of its own model, not of the tire: `validate` judges it, `diagnose` leaves it out. Default: false."),
             texts("inputs", "Names of the `[[input]]` that it depends on. Default: none."),
             texts("inferred_from_it", "Names of those that were inferred from this very number: it is not decidable. Default: none."),
+        }},
+        {"model", TableForm::list, "A model that is judged.", {
+            text("key", "How its cases end, and its key in `files` and `models`.").required(),
+            text("name", "As the page calls it. Default: the key."),
         }},
         {"number.minus", TableForm::table,
          "A value that is subtracted, or by which the number is divided (`over`): keys as of `[[number]]`, and what is left out is that of the number.", {

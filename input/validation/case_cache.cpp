@@ -64,8 +64,9 @@ std::optional<std::size_t> CaseCache::find(const std::string& path, const Source
 bool CaseCache::is_case(std::size_t index, std::string_view name) const {
     const std::string path = runs_[index].file.generic_string();
     const std::string wanted = (folder_ / name).lexically_normal().generic_string();
-    return path == wanted || path == wanted + ".toml" || std::ranges::any_of(model_names, [&](std::string_view model) {
-               return path == fmt::format("{}_{}.toml", wanted, model);
+    return path == wanted || path == wanted + ".toml" ||
+           std::ranges::any_of(models_, [&](const ValidationModel& model) {
+               return path == fmt::format("{}_{}.toml", wanted, model.key);
            });
 }
 
@@ -77,8 +78,8 @@ void CaseCache::check_names(const std::vector<LocatedString>& names, InputErrors
             return fs::is_regular_file(path.generic_string() + ending, error);
         };
         const bool known =
-            is_file("") || is_file(".toml") || std::ranges::any_of(model_names, [&](std::string_view model) {
-                return is_file(fmt::format("_{}.toml", model));
+            is_file("") || is_file(".toml") || std::ranges::any_of(models_, [&](const ValidationModel& model) {
+                return is_file(fmt::format("_{}.toml", model.key));
             });
         if (!known) {
             errors.add(name.place, fmt::format("there is no case {}", name.text),

@@ -124,21 +124,22 @@ private:
 };
 
 /// The number at all ends of an input. @returns whether it acts on any model
-bool read_ends(const InputDefinition& definition, const Evaluation& evaluation, EndReader& reader, NumberInput& input) {
+bool read_ends(const InputDefinition& definition, const Evaluation& evaluation,
+               const std::vector<ValidationModel>& models, EndReader& reader, NumberInput& input) {
     const std::size_t n_ends = std::max(definition.ends.size(), definition.words.size());
     bool acts = false;
-    for (std::size_t m = 0; m < n_models; ++m) {
+    for (std::size_t m = 0; m < models.size(); ++m) {
         bool here = false;
         if (evaluation.models[m]) {
             visit_readouts(*evaluation.models[m], [&](const Readout& readout) { here = reader.acts(readout) || here; });
         }
         acts = acts || here;
         for (std::size_t end = 0; here && end < n_ends; ++end) {
-            input.at_ends.resize(n_ends);
+            input.at_ends.resize(n_ends, std::vector<std::optional<Expression>>(models.size()));
             Expression changed = *evaluation.models[m];
             bool sound = true;
             visit_readouts(changed, [&](Readout& readout) {
-                sound = (!reader.acts(readout) || reader.change(readout, end, model_names[m])) && sound;
+                sound = (!reader.acts(readout) || reader.change(readout, end, models[m].key)) && sound;
             });
             if (sound) {
                 input.at_ends[end][m] = changed;
@@ -181,7 +182,8 @@ std::vector<NumberInput> read_number_inputs(TomlTable& table, const std::vector<
         EndReader reader(definition, cache, table.errors());
         const bool any_model =
             std::ranges::any_of(evaluation.models, [](const auto& model) { return model.has_value(); });
-        if (!read_ends(definition, evaluation, reader, input) && any_model && definition.action != InputAction::none) {
+        if (!read_ends(definition, evaluation, cache.models(), reader, input) && any_model &&
+            definition.action != InputAction::none) {
             table.errors().add(word.place,
                                fmt::format("the input \"{}\" acts on nothing that this number is read from", word.text),
                                changes_cases(definition) ? "name cases that give what it changes"

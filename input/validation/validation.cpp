@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "input/validation/validation_reader.hpp"
 
 namespace tiretherm::input {
@@ -19,6 +21,21 @@ double read(const Readout& readout, const std::vector<Trace>& traces) {
 
 double read(const Difference& difference, const std::vector<Trace>& traces) {
     return read(difference.of, traces) - (difference.minus ? read(*difference.minus, traces) : 0.0);
+}
+
+/// [[model]]; without any the two of the case library.
+std::vector<ValidationModel> read_models(TomlTable& root) {
+    std::vector<ValidationModel> models;
+    root.each("model", [&](TomlTable& table) {
+        const std::string key = table.text("key", Need::required).value_or("");
+        const std::string name = table.text("name").value_or(key);
+        if (std::ranges::find(models, key, &ValidationModel::key) != models.end()) {
+            table.add_error("key", fmt::format("there are two models \"{}\"", key), "rename one of them");
+        } else if (!key.empty()) {
+            models.push_back({.key = key, .name = name});
+        }
+    });
+    return models.empty() ? std::vector<ValidationModel>{{"two_node", "two nodes"}, {"section", "section"}} : models;
 }
 
 bool has(const std::vector<std::string>& words, const std::string& word) {
@@ -66,7 +83,7 @@ std::vector<std::string> Validation::keep(const std::vector<std::string>& wanted
     std::vector<std::size_t> renumbered(runs.size(), unused);
     std::vector<ValidationRun> kept;
     for (ValidationNumber& number : numbers) {
-        const auto renumber = [&](std::array<std::optional<Expression>, n_models>& models) {
+        const auto renumber = [&](std::vector<std::optional<Expression>>& models) {
             for (std::optional<Expression>& expression : models) {
                 if (!expression) {
                     continue;
@@ -98,19 +115,21 @@ bool is_validation_table(const std::filesystem::path& file) {
 
 ValidationReading read_validation(const std::filesystem::path& file) {
     InputErrors errors;
-    CaseCache cache(file.parent_path());
+    std::optional<CaseCache> cache;
     Validation validation;
     if (const std::optional<TomlValue> document = read_document(file, errors)) {
         TomlTable root(*document, "the table", errors);
         root.declare_keys({"include", "unset"});
         validation.title = root.text("title").value_or("Validation");
+        validation.models = read_models(root);
+        cache.emplace(file.parent_path(), validation.models);
         std::vector<InputDefinition> inputs;
         root.each("input", [&](TomlTable& table) {
             inputs.push_back(read_input(table, inputs));
-            cache.check_names(inputs.back().cases, errors);
+            cache->check_names(inputs.back().cases, errors);
         });
         root.each(
-            "number", [&](TomlTable& table) { validation.numbers.push_back(read_number(table, inputs, cache)); },
+            "number", [&](TomlTable& table) { validation.numbers.push_back(read_number(table, inputs, *cache)); },
             Need::required);
         for (const InputDefinition& input : inputs) {
             validation.inputs.push_back(input.shown);
@@ -118,9 +137,11 @@ ValidationReading read_validation(const std::filesystem::path& file) {
     }
     ValidationReading reading{
         .table = std::nullopt, .errors = errors.in_order(), .warnings = render(errors.warnings(), 0)};
-    cache.append_messages(reading);
+    if (cache) {
+        cache->append_messages(reading);
+    }
     if (reading.errors.empty()) {
-        validation.runs = cache.take_runs();
+        validation.runs = cache->take_runs();
         reading.table = std::move(validation);
     }
     return reading;

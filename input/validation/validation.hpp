@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Validation table: measured numbers, [[number]], how each is read from the two-node and the section model, and what of
-// the experiment the source does not print, [[input]].
+// Validation table: the models, [[model]], measured numbers, [[number]], how each is read from every model, and what of the
+// experiment the source does not print, [[input]].
 #pragma once
 
 #include <array>
@@ -20,9 +20,11 @@
 /// The table of numbers that were measured, each with the way it is read from a simulation.
 namespace tiretherm::input {
 
-/// What a number is read from: the thesis's two lumps, or cells through the thickness and along the meridian.
-inline constexpr std::array<std::string_view, 2> model_names{"two_node", "section"};
-inline constexpr std::size_t n_models = model_names.size();
+/// A model that the table judges.
+struct ValidationModel {
+    std::string key;   ///< "two_node": how its cases end, and its key in `files`
+    std::string name;  ///< "two nodes": as people call it
+};
 
 /// A readout of one run.
 struct Readout {
@@ -78,7 +80,7 @@ struct NumberInput {
     bool inferred_from_it = false;  ///< from this very number, which therefore cannot judge a model
     /// How the number is read where the input is at an end of its range [ends][models]; empty of a printed input, and
     /// where the input does not act on a model.
-    std::vector<std::array<std::optional<Expression>, n_models>> at_ends;
+    std::vector<std::vector<std::optional<Expression>>> at_ends;
 };
 
 /// One number that was measured.
@@ -93,7 +95,7 @@ struct ValidationNumber {
     double low = -std::numeric_limits<double>::infinity();    ///< SI, measured; equal to high for a single number
     double high = std::numeric_limits<double>::infinity();    ///< an open end is infinite
     std::vector<std::pair<std::string, double>> uncertainty;  ///< SI, standard, independent parts by name
-    std::array<std::optional<Expression>, n_models> models;   ///< how it is read; empty where a model has no such thing
+    std::vector<std::optional<Expression>> models;  ///< [models] how it is read; empty where one has no such thing
     std::vector<NumberInput> inputs;
 
     /// Root of the sum of squares of the parts; 0 where there is none.
@@ -109,6 +111,7 @@ struct ValidationRun {
 
 struct Validation {
     std::string title;
+    std::vector<ValidationModel> models;
     std::vector<ValidationNumber> numbers;
     std::vector<ValidationInput> inputs;
     std::vector<ValidationRun> runs;  ///< each case once, and once for each end of an input that changes it

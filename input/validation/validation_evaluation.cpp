@@ -2,7 +2,6 @@
 // Reads how a number is evaluated (case, channel, time, `minus`, `over`) and finds run and channel for each model.
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -16,18 +15,20 @@ namespace tiretherm::input {
 namespace {
 
 /// The reading for one model, or nothing after an error.
-std::optional<Readout> resolve(const ReadoutRequest& request, std::size_t model, const TomlTable& table,
+std::optional<Readout> resolve(const ReadoutRequest& request, const std::string& model, const TomlTable& table,
                                CaseCache& cache) {
     InputErrors& errors = table.errors();
-    const std::optional<LocatedString>& file = request.case_name ? request.case_name : request.files[model];
+    const auto own = request.files.find(model);
+    const std::optional<LocatedString> file =
+        request.case_name || own == request.files.end() ? request.case_name : std::optional(own->second);
     if (!file || !request.channel) {
         if (!file && table.exists()) {
-            table.add_error("files", fmt::format("{} has no file for {}", table.title(), model_names[model]),
-                            fmt::format("add {} to files, or leave it out of models", model_names[model]));
+            table.add_error("files", fmt::format("{} has no file for {}", table.title(), model),
+                            fmt::format("add {} to files, or leave it out of models", model));
         }
         return std::nullopt;
     }
-    const std::string path = request.case_name ? fmt::format("{}_{}.toml", file->text, model_names[model]) : file->text;
+    const std::string path = request.case_name ? fmt::format("{}_{}.toml", file->text, model) : file->text;
     const std::optional<std::size_t> run = cache.find(path, file->place, errors);
     if (!run) {
         return std::nullopt;
@@ -55,9 +56,14 @@ std::optional<Readout> resolve(const ReadoutRequest& request, std::size_t model,
 }
 
 /// The models that a number is read from, as flags.
-std::array<bool, n_models> read_models(TomlTable& table, const ReadoutRequest& request) {
-    std::array<bool, n_models> chosen{};
-    const std::vector<std::string> known(model_names.begin(), model_names.end());
+std::vector<bool> read_chosen(TomlTable& table, const ReadoutRequest& request,
+                              const std::vector<ValidationModel>& models) {
+    std::vector<bool> chosen;
+    std::vector<std::string> known;
+    for (const ValidationModel& model : models) {
+        known.push_back(model.key);
+        chosen.push_back(!table.has("models") && (request.case_name || request.files.contains(model.key)));
+    }
     for (const LocatedString& word : table.texts("models")) {
         const auto found = std::find(known.begin(), known.end(), word.text);
         if (found == known.end()) {
@@ -67,26 +73,24 @@ std::array<bool, n_models> read_models(TomlTable& table, const ReadoutRequest& r
             chosen[static_cast<std::size_t>(found - known.begin())] = true;
         }
     }
-    for (std::size_t m = 0; m < n_models && !table.has("models"); ++m) {
-        chosen[m] = request.case_name || request.files[m];
-    }
     return chosen;
 }
 
 }  // namespace
 
 Evaluation read_evaluation(TomlTable& table, CaseCache& cache) {
-    const ReadoutRequest request = read_request(table, {});
+    const std::vector<ValidationModel>& models = cache.models();
+    const ReadoutRequest request = read_request(table, {}, models);
     if (!table.has("case") && !table.has("files")) {
         table.text("case", Need::required);
     }
     table.text("channel", Need::required);
     TomlTable minus = table.subtable("minus");
-    const ReadoutRequest request_minus = read_request(minus, request);
+    const ReadoutRequest request_minus = read_request(minus, request, models);
     TomlTable over = table.subtable("over");
-    const ReadoutRequest request_over = read_request(over, request);
+    const ReadoutRequest request_over = read_request(over, request, models);
     TomlTable over_minus = over.subtable("minus");
-    const ReadoutRequest request_over_minus = read_request(over_minus, request_over);
+    const ReadoutRequest request_over_minus = read_request(over_minus, request_over, models);
 
     Evaluation evaluation;
     const bool is_time = request.take == Window::Take::time_to;
@@ -98,7 +102,7 @@ Evaluation read_evaluation(TomlTable& table, CaseCache& cache) {
         return cache.problem(readout.run).channels[readout.channel].quantity;
     };
     const auto difference = [&](const ReadoutRequest& first, const TomlTable& at, const ReadoutRequest& second,
-                                const TomlTable& less, std::size_t model) -> std::optional<Difference> {
+                                const TomlTable& less, const std::string& model) -> std::optional<Difference> {
         const std::optional<Readout> of = resolve(first, model, at, cache);
         const std::optional<Readout> by = less.exists() ? resolve(second, model, less, cache) : std::nullopt;
         if (of && by &&
@@ -109,14 +113,15 @@ Evaluation read_evaluation(TomlTable& table, CaseCache& cache) {
         }
         return of && (by || !less.exists()) ? std::optional(Difference{*of, by}) : std::nullopt;
     };
-    const std::array<bool, n_models> chosen = read_models(table, request);
-    for (std::size_t m = 0; m < n_models; ++m) {
+    const std::vector<bool> chosen = read_chosen(table, request, models);
+    evaluation.models.resize(models.size());
+    for (std::size_t m = 0; m < models.size(); ++m) {
         if (!chosen[m]) {
             continue;
         }
-        const auto of = difference(request, table, request_minus, minus, m);
-        const auto by =
-            over.exists() ? difference(request_over, over, request_over_minus, over_minus, m) : std::nullopt;
+        const auto of = difference(request, table, request_minus, minus, models[m].key);
+        const auto by = over.exists() ? difference(request_over, over, request_over_minus, over_minus, models[m].key)
+                                      : std::nullopt;
         if (of) {
             evaluation.quantity = quantity(of->of);
         }

@@ -19,7 +19,10 @@ namespace tiretherm::input {
 class CaseCache {
 public:
     /// @param folder of the table, where the paths of its cases begin
-    explicit CaseCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    CaseCache(std::filesystem::path folder, const std::vector<ValidationModel>& models)
+        : folder_(std::move(folder)), models_(models) {}
+
+    [[nodiscard]] const std::vector<ValidationModel>& models() const { return models_; }
 
     /// @param path relative to the folder, with its ending   @param mentioned where it was written
     /// @returns the case's index, or nothing when it is missing or has errors
@@ -45,6 +48,7 @@ public:
 
 private:
     std::filesystem::path folder_;
+    std::vector<ValidationModel> models_;
     std::map<std::string, std::optional<std::size_t>> known_;
     std::map<std::string, bool> acts_;  ///< by input and case
     std::vector<ValidationRun> runs_;
@@ -54,7 +58,7 @@ private:
 
 /// How a number is evaluated from the results of its models, and what kind of number that makes it.
 struct Evaluation {
-    std::array<std::optional<Expression>, n_models> models;
+    std::vector<std::optional<Expression>> models;  ///< [models]
     Meaning meaning = Meaning::value;
     std::optional<solver::Quantity> quantity;  ///< empty when no model could be read
 };

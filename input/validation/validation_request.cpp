@@ -11,15 +11,17 @@ namespace tiretherm::input {
 
 namespace {
 
-void read_files(TomlTable& table, ReadoutRequest& request) {
+void read_files(TomlTable& table, const std::vector<ValidationModel>& models, ReadoutRequest& request) {
     TomlTable files = table.subtable("files");
     if (!files.exists()) {
         return;
     }
     request.case_name.reset();
-    for (std::size_t m = 0; m < n_models; ++m) {
-        const std::optional<std::string> file = files.text(model_names[m]);
-        request.files[m] = file ? std::optional(LocatedString{*file, files.place(model_names[m])}) : std::nullopt;
+    request.files.clear();
+    for (const ValidationModel& model : models) {
+        if (const std::optional<std::string> file = files.text(model.key)) {
+            request.files[model.key] = {*file, files.place(model.key)};
+        }
     }
     if (table.has("case")) {
         table.add_error("files", "both case and files are given", "keep one of them");
@@ -64,13 +66,13 @@ void read_time_settings(TomlTable& table, ReadoutRequest& request) {
 
 }  // namespace
 
-ReadoutRequest read_request(TomlTable& table, const ReadoutRequest& above) {
+ReadoutRequest read_request(TomlTable& table, const ReadoutRequest& above, const std::vector<ValidationModel>& models) {
     ReadoutRequest request = above;
     if (const std::optional<std::string> name = table.text("case")) {
         request.case_name = LocatedString{*name, table.place("case")};
         request.files = {};
     }
-    read_files(table, request);
+    read_files(table, models, request);
     if (const std::optional<std::string> channel = table.text("channel")) {
         request.channel = LocatedString{*channel, table.place("channel")};
     }

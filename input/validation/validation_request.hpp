@@ -2,8 +2,9 @@
 // One readout as it is written in a validation table, before run and channel are known.
 #pragma once
 
-#include <array>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "input/toml/toml_table.hpp"
 #include "input/validation/validation.hpp"
@@ -13,8 +14,8 @@ namespace tiretherm::input {
 /// A request for a readout as it is written, for any model. What a table under `minus` or `over` leaves out is
 /// taken over from the request above it.
 struct ReadoutRequest {
-    std::optional<LocatedString> case_name;                    ///< without model and ending
-    std::array<std::optional<LocatedString>, n_models> files;  ///< instead of case_name
+    std::optional<LocatedString> case_name;      ///< without model and ending
+    std::map<std::string, LocatedString> files;  ///< by the models' keys, instead of case_name
     std::optional<LocatedString> channel;
     Window::Take take = Window::Take::at;
     std::optional<double> from;  ///< s; empty: start of the run
@@ -24,6 +25,7 @@ struct ReadoutRequest {
 };
 
 /// The keys case, files, channel, at, take, from, to, time_to.
-[[nodiscard]] ReadoutRequest read_request(TomlTable& table, const ReadoutRequest& above);
+[[nodiscard]] ReadoutRequest read_request(TomlTable& table, const ReadoutRequest& above,
+                                          const std::vector<ValidationModel>& models);
 
 }  // namespace tiretherm::input

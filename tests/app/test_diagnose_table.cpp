@@ -55,6 +55,9 @@ TEST(DiagnoseTable, WrongCallsAreExplained) {
     EXPECT_EQ(model.exit_code, 1);
     EXPECT_EQ(model.err,
               "tiretherm: table.toml: no measured number is read from the model section; take --model two_node\n");
+    const Call unknown = call("diagnose table.toml --model sectoin", scratch.path());
+    EXPECT_EQ(unknown.exit_code, 1);
+    EXPECT_EQ(unknown.err, "tiretherm: table.toml has no model \"sectoin\"; did you mean `section`?\n");
     EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
 }
 

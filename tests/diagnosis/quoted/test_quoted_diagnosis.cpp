@@ -39,7 +39,7 @@ TEST(QuotedNumbers, CountAnInputByItsValueAndNotByItsText) {
                                  .ends = {"40 s", "120 s"},
                                  .unit = "s",
                                  .numbers = {40.0, 120.0}});
-    validation.numbers.emplace_back().models[0].emplace();
+    validation.numbers.emplace_back().models.emplace_back().emplace();
     ValidationRow row{.id = "A",
                       .what = "rise",
                       .unit = "K",

@@ -73,6 +73,20 @@ TEST_F(ValidationTable, CaseIsReadForBothModelsAndOnlyOnce) {
     EXPECT_DOUBLE_EQ(number.models[1]->value(traces), 300.0);
 }
 
+// One model, whose cases end in _section; the page calls it "a shell". Without its own models a table has two.
+TEST_F(ValidationTable, SaysItselfWhichModelsItJudges) {
+    const Validation table = read("[[model]]\nkey = \"section\"\nname = \"a shell\"\n[[model]]\nkey = \"other\"\n" +
+                                  numbered("case = \"warm\"\nmodels = [\"section\"]\nchannel = \"top\"\n") +
+                                  numbered("files = { other = \"cold_section.toml\" }\nchannel = \"top\"\n"));
+    ASSERT_EQ(table.models.size(), 2U);
+    EXPECT_EQ(table.models[0].name, "a shell");
+    EXPECT_EQ(table.models[1].name, "other");
+    ASSERT_EQ(table.numbers.at(0).models.size(), 2U);
+    EXPECT_TRUE(table.numbers[0].models[0] && !table.numbers[0].models[1]);
+    EXPECT_TRUE(!table.numbers[1].models[0] && table.numbers[1].models[1]);
+    EXPECT_EQ(table.runs.size(), 2U);
+}
+
 // sqrt(3^2 + 4^2) = 5. A difference of temperatures has no offset.
 TEST_F(ValidationTable, DifferenceTakesOverWhatItDoesNotChange) {
     const Validation table =
