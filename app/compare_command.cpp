@@ -50,7 +50,7 @@ int compare(const MeasuredCall& call) {
     }
     const std::string name = reading->experiment->runs.front().problem.name;
     const std::filesystem::path directory = folder_of(call, "out/" + name);
-    const std::vector<std::string> names = post::comparison_names(directory);
+    const std::vector<std::string> names = post::comparison_names();
     now_doing(fmt::format("comparing {} and writing to {}", call.case_file, directory.string()));
     const auto folder = open_output(directory, reading->files, names, "nothing was compared", call.json);
     if (!folder) {
@@ -93,8 +93,8 @@ void add_compare_command(CLI::App& program, int& exit_code) {
         "compare_statistics.csv (a row for each figure); of laps and of a car's tires laps.csv (measured and simulated "
         "mean,\n"
         "maximum and end of each sensor in each lap) and heat.csv (friction power and heat); of cameras "
-        "compare_pixels.csv (a row for each pixel) and a picture\n"
-        "of each run's worst frame. Charts as pictures: tiretherm report DIR --png\n\n"
+        "compare_pixels.csv (a row for each pixel).\n"
+        "Charts as pictures, the frames of a camera among them: tiretherm report DIR --png\n\n"
         "The files appear together at the end.\n\n"
         "Exit code: 0 done, however far apart; 1 an error in the call, the case or the data; 2 the solver failed;\n"
         "130 interrupted.\n\n"

@@ -2,9 +2,9 @@
 // `tiretherm report`: shows the page that a call has written into its folder, makes pictures of its charts, and lays two
 // results beside each other.
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -31,13 +31,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* picture_folder = "charts";
 constexpr const char* no_pictures = "no picture was written";
 
 struct ReportOptions {
     std::string folder;
-    std::string other;      ///< the second of two; empty: there is one
-    std::string directory;  ///< of the page of two
+    std::vector<std::string> others{};  ///< without pictures one: the second of two
+    std::string directory;              ///< of the page of two
+    std::vector<std::string> charts{};  ///< those that are drawn; empty: all
+    std::string at;                     ///< of fields: s, or "end"
     int width = 1600;
     double time_limit = 60.0;  ///< s
     bool png = false;
@@ -45,27 +46,49 @@ struct ReportOptions {
     bool json = false;
 
     [[nodiscard]] fs::path page() const { return fs::path(folder) / post::page_name; }
-    [[nodiscard]] fs::path pictures() const { return fs::path(folder) / picture_folder; }
+    /// The same of each folder of the call.
+    [[nodiscard]] std::vector<ReportOptions> of_folders() const {
+        std::vector<ReportOptions> all{*this};
+        for (const std::string& other : others) {
+            all.push_back(*this);
+            all.back().folder = other;
+        }
+        return all;
+    }
 };
 
-/// Why a folder has no page, and what to do.
-int report_missing(const ReportOptions& options) {
+/// A page whose charts are drawn.
+struct DrawnPage {
+    ReportOptions options;
+    post::PageCharts page;
+    std::vector<post::ChartPicture> pictures{};  ///< [charts]
+};
+
+/// Whether a folder has a page; says what to do where not.
+bool has_page(const ReportOptions& options) {
     std::error_code error;
-    if (!fs::exists(options.folder, error)) {
-        report_error(fmt::format("there is no folder {}", options.folder),
-                     "name the folder that a call has written its files to: out/<case name>, or that of --out",
-                     options.json);
-    } else if (!fs::is_directory(options.folder, error)) {
-        report_error(fmt::format("{} is a file", options.folder), "name the folder in which it stands", options.json);
-    } else {
-        report_error(fmt::format("there is no {} in {}", post::page_name, options.folder),
-                     "run, compare, identify, diagnose, study and validate write it, unless --no-report is given",
-                     options.json);
+    if (fs::exists(options.page(), error)) {
+        return true;
     }
-    return Exit::input_error;
+    std::string what = fmt::format("there is no {} in {}", post::page_name, options.folder);
+    std::string remedy = "run, compare, identify, diagnose, study and validate write it, unless --no-report is given";
+    if (!fs::exists(options.folder, error)) {
+        what = fmt::format("there is no folder {}", options.folder);
+        remedy = "name the folder that a call has written its files to: out/<case name>, or that of --out";
+    } else if (!fs::is_directory(options.folder, error)) {
+        what = fmt::format("{} is a file", options.folder);
+        remedy = "name the folder in which it stands";
+    }
+    report_error(what, remedy, options.json);
+    return false;
 }
 
+/// The charts of a folder's page; nothing, after its message, where there is none or it cannot be read.
 std::optional<post::PageCharts> read_charts(const ReportOptions& options) {
+    if (!has_page(options)) {
+        return std::nullopt;
+    }
+    now_doing("reading " + options.page().string());
     try {
         return post::read_page(options.page());
     } catch (const std::runtime_error& error) {
@@ -74,59 +97,6 @@ std::optional<post::PageCharts> read_charts(const ReportOptions& options) {
                      "make the page again with the call that has written it", options.json);
         return std::nullopt;
     }
-}
-
-/// The size that the header of a PNG file states.
-post::Value size_at(const std::string& png, std::size_t at) {
-    std::uint32_t size = 0;
-    for (std::size_t i = 0; i < 4 && at + i < png.size(); ++i) {
-        size = size << 8U | static_cast<unsigned char>(png[at + i]);
-    }
-    return size;
-}
-
-/// Why charts have no picture: the first of them, and what to do. Empty where all have one.
-std::string not_drawn(const post::PageCharts& page, const std::vector<post::ChartPicture>& pictures) {
-    std::string titles;
-    std::string reason;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        if (!pictures[i].failure.empty()) {
-            titles += fmt::format("{}\"{}\"", titles.empty() ? "" : ", ", page.charts[i].title);
-            reason = reason.empty() ? pictures[i].failure : reason;
-        }
-    }
-    return titles.empty() ? "" : fmt::format("no picture of {}: {}", titles, reason);
-}
-
-/// @param pictures [charts], or empty: none was asked for
-post::Value data_of(const ReportOptions& options, const post::PageCharts& page,
-                    const std::vector<post::ChartPicture>& pictures) {
-    std::error_code error;
-    const fs::path text = fs::path(options.folder) / post::text_page_name;
-    const std::vector<std::string> names = post::picture_names(page.charts);
-    post::Value::List charts;
-    post::Value::List outputs;
-    for (std::size_t i = 0; i < page.charts.size(); ++i) {
-        post::Value chart{{"title", page.charts[i].title}};
-        if (!pictures.empty() && !pictures[i].failure.empty()) {
-            chart.set("error", pictures[i].failure);
-        } else if (!pictures.empty()) {
-            const std::string file = (options.pictures() / names[i]).generic_string();
-            const std::string& png = pictures[i].png;
-            chart.set({{"file", file}, {"width", size_at(png, 16)}, {"height", size_at(png, 20)}});
-            outputs.push_back(file);
-        }
-        charts.push_back(std::move(chart));
-    }
-    post::Value data{{"report", options.page().generic_string()},
-                     {"page", post::where(fs::exists(text, error), text.generic_string())},
-                     {"version", page.version},
-                     {"charts", std::move(charts)},
-                     {"outputs", std::move(outputs)}};
-    if (const std::string sentence = not_drawn(page, pictures); !sentence.empty()) {
-        data.set({{"error", sentence}, {"mistakes", post::Value::List{}}});
-    }
-    return data;
 }
 
 /// The page as text, where its charts are, and how pictures are made of them.
@@ -169,10 +139,73 @@ int report_browser(const ReportOptions& options, const post::BrowserError& error
     return Exit::numerical_failure;
 }
 
-int make_pictures(const ReportOptions& options, const post::PageCharts& page) {
-    if (page.charts.empty()) {
+/// The page of a folder with the charts that are to be drawn; nothing, after its message, where that cannot be.
+std::optional<DrawnPage> page_to_draw(const ReportOptions& options) {
+    std::optional<post::PageCharts> page = read_charts(options);
+    if (!page) {
+        return std::nullopt;
+    }
+    if (page->charts.empty()) {
         report_error(fmt::format("{} has no chart", options.page().string()), no_pictures, options.json);
-        return Exit::input_error;
+        return std::nullopt;
+    }
+    if (const std::string unknown = post::choose_charts(*page, options.charts); !unknown.empty()) {
+        std::string titles;
+        for (const post::PageChart& chart : page->charts) {
+            titles += fmt::format("{}\"{}\"", titles.empty() ? "" : ", ", chart.title);
+        }
+        report_error(fmt::format("{} has no chart \"{}\"; it has {}", options.page().string(), unknown, titles),
+                     no_pictures, options.json);
+        return std::nullopt;
+    }
+    return DrawnPage{.options = options, .page = std::move(*page)};
+}
+
+/// What was written, and which charts could not be drawn.
+int tell_pictures(const std::vector<DrawnPage>& pages) {
+    const bool json = pages.front().options.json;
+    int exit_code = Exit::done;
+    post::Report report{.title = pages.size() > 1 ? fmt::format("Charts of {} pages", pages.size())
+                                                  : fmt::format("Charts of {}", pages.front().options.page().string())};
+    post::Value::List of_pages;
+    post::Section files("");
+    for (const DrawnPage& drawn : pages) {
+        of_pages.push_back(post::page_data(drawn.options.folder, drawn.page, drawn.pictures));
+        for (std::size_t i = 0; i < drawn.pictures.size(); ++i) {
+            if (drawn.pictures[i].failure.empty()) {
+                files.line(
+                    (fs::path(drawn.options.folder) / post::picture_folder / drawn.page.charts[i].picture).string());
+            }
+        }
+    }
+    report.data = pages.size() > 1 ? post::Value{{"reports", std::move(of_pages)}} : std::move(of_pages.front());
+    report.add(std::move(files));
+    print_report(report, json);
+    for (const DrawnPage& drawn : pages) {
+        const std::string sentence = post::not_drawn(drawn.page, drawn.pictures);
+        exit_code = sentence.empty() ? exit_code : int{Exit::input_error};
+        if (!sentence.empty() && !json) {
+            report_error(
+                fmt::format("{}: {}", drawn.options.page().string(), sentence),
+                drawn.page.version == TIRETHERM_VERSION
+                    ? "make the page again with the call that has written it"
+                    : fmt::format("version {} has written the page and this is {}: make it again with this one",
+                                  drawn.page.version, TIRETHERM_VERSION),
+                false);
+        }
+    }
+    return exit_code;
+}
+
+/// Nothing is written before all is drawn.
+int make_pictures(const ReportOptions& options) {
+    std::vector<DrawnPage> pages;
+    for (const ReportOptions& one : options.of_folders()) {
+        std::optional<DrawnPage> page = page_to_draw(one);
+        if (!page) {
+            return Exit::input_error;
+        }
+        pages.push_back(std::move(*page));
     }
     const std::optional<fs::path> browser = post::find_browser();
     if (!browser) {
@@ -182,62 +215,44 @@ int make_pictures(const ReportOptions& options, const post::PageCharts& page) {
             options.json);
         return Exit::input_error;
     }
-    const std::vector<std::string> names = post::picture_names(page.charts);
-    now_doing(fmt::format("drawing the charts of {}", options.page().string()));
-    std::vector<post::ChartPicture> pictures;
+    const post::PictureRequest request{.width = options.width,
+                                       .dark = options.dark,
+                                       .at = options.at,
+                                       .limit = std::chrono::milliseconds(std::lround(1e3 * options.time_limit)),
+                                       .stopped = solver::stop_requested};
     try {
-        post::OutputFolder folder(options.pictures());
-        pictures = post::chart_pictures(*browser, page,
-                                        {.width = options.width,
-                                         .dark = options.dark,
-                                         .limit = std::chrono::milliseconds(std::lround(1e3 * options.time_limit)),
-                                         .stopped = solver::stop_requested});
-        for (std::size_t i = 0; i < pictures.size(); ++i) {
-            if (pictures[i].failure.empty()) {
-                post::replace_file(folder.stage() / names[i], pictures[i].png);
-            }
+        for (DrawnPage& drawn : pages) {
+            now_doing(fmt::format("drawing the charts of {}", drawn.options.page().string()));
+            drawn.pictures = post::chart_pictures(*browser, drawn.page, request);
         }
-        folder.commit();
+        for (const DrawnPage& drawn : pages) {
+            post::write_pictures(drawn.options.folder, drawn.page, drawn.pictures);
+        }
     } catch (const post::BrowserError& error) {
         return report_browser(options, error);
     } catch (const std::runtime_error& error) {  // of a file, or another call works there
         report_error(error.what(), no_pictures, options.json);
         return Exit::input_error;
     }
-    post::Report report{.title = fmt::format("Charts of {}", options.page().string())};
-    report.data = data_of(options, page, pictures);
-    post::Section files("");
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (pictures[i].failure.empty()) {
-            files.line((options.pictures() / names[i]).string());
-        }
-    }
-    report.add(std::move(files));
-    print_report(report, options.json);
-    const std::string sentence = not_drawn(page, pictures);
-    if (!sentence.empty() && !options.json) {
-        report_error(fmt::format("{}: {}", options.page().string(), sentence),
-                     page.version == TIRETHERM_VERSION
-                         ? "make the page again with the call that has written it"
-                         : fmt::format("version {} has written the page and this is {}: make it again with this one",
-                                       page.version, TIRETHERM_VERSION),
-                     false);
-    }
-    return sentence.empty() ? Exit::done : Exit::input_error;
+    return tell_pictures(pages);
 }
 
 /// Two results on one page.
 int report_pair(const ReportOptions& options) {
+    if (options.others.size() > 1) {
+        report_error(fmt::format("two results stand side by side, and there are {}", options.others.size() + 1),
+                     "name two folders; with --png the charts of any number of them are drawn", options.json);
+        return Exit::input_error;
+    }
     std::vector<post::StoredResult> results;
-    for (const std::string& folder : {options.folder, options.other}) {
-        ReportOptions one = options;
-        one.folder = folder;
-        std::error_code error;
-        if (!fs::exists(one.page(), error)) {
-            return report_missing(one);
+    std::vector<std::string> read;
+    for (const ReportOptions& one : options.of_folders()) {
+        if (!has_page(one)) {
+            return Exit::input_error;
         }
+        read.push_back(one.page().string());
         try {
-            results.push_back(post::read_result(folder));
+            results.push_back(post::read_result(one.folder));
         } catch (const std::runtime_error& failure) {
             report_error(failure.what(),
                          "run and compare leave what is needed in their folder; make it again with one of them",
@@ -256,10 +271,6 @@ int report_pair(const ReportOptions& options) {
             ? fs::path("out") / (results[0].folder.lexically_normal().filename().string() + "_against_" +
                                  results[1].folder.lexically_normal().filename().string())
             : fs::path(options.directory);
-    std::vector<std::string> read;
-    for (const std::string& folder : {options.folder, options.other}) {
-        read.push_back((fs::path(folder) / post::page_name).string());
-    }
     const auto folder = open_output(directory, read, post::page_names(), "nothing was written", options.json);
     if (!folder || !write_output(*folder, {}, options.json, [&] {
             page.add(folder->homes(post::page_files(folder->stage())));
@@ -272,24 +283,19 @@ int report_pair(const ReportOptions& options) {
 }
 
 int report(const ReportOptions& options) {
-    if (!options.other.empty()) {
+    if (options.png) {
+        solver::install_stop_handlers();
+        return make_pictures(options);
+    }
+    if (!options.others.empty()) {
         return report_pair(options);
     }
-    std::error_code error;
-    if (!fs::exists(options.page(), error)) {
-        return report_missing(options);
-    }
-    now_doing("reading " + options.page().string());
     const std::optional<post::PageCharts> page = read_charts(options);
     if (!page) {
         return Exit::input_error;
     }
-    if (options.png) {
-        solver::install_stop_handlers();
-        return make_pictures(options, *page);
-    }
     if (options.json) {
-        fmt::print("{}", post::json_text(data_of(options, *page, {})));
+        fmt::print("{}", post::json_text(post::page_data(options.folder, *page, {})));
     } else {
         show_charts(options, *page);
     }
@@ -307,13 +313,28 @@ void add_report_command(CLI::App& program, int& exit_code) {
         ->option_text(" ");
     CLI::Option* other =
         command
-            ->add_option("OTHER", options->other,
-                         "Folder of a second result: both on one page, OTHER - DIR, of run or of compare")
+            ->add_option("OTHER", options->others,
+                         "Folder of a second result: both on one page, OTHER - DIR, of run or of compare. With --png "
+                         "any number: the charts of each are drawn")
             ->option_text(" ");
     add_out_option(*command, options->directory, "Where the page of two results goes. Default: out/DIR_against_OTHER");
     command->get_option("--out")->needs(other);
     CLI::Option* png = command->add_flag("--png", options->png,
                                          "Write every chart of report.html as a picture into the folder charts in DIR");
+    command
+        ->add_option("--chart", options->charts,
+                     "This chart alone, by its title or the name of its picture; once for each")
+        ->option_text("NAME ...")
+        ->allow_extra_args(false)
+        ->needs(png);
+    command
+        ->add_option(
+            "--at", options->at,
+            "Fields and frames of a camera at the moment next to this, or at the \"end\". Default: the hottest "
+            "moment, of a tread the last, of a camera the worst frame")
+        ->option_text("SECONDS")
+        ->check(CLI::NonNegativeNumber | CLI::IsMember({"end"}))
+        ->needs(png);
     command->add_option("--width", options->width, "Of the pictures. Default: 1600")
         ->option_text("PX")
         ->check(CLI::Range(320, 8000))
@@ -329,11 +350,8 @@ void add_report_command(CLI::App& program, int& exit_code) {
         "on\n"
         "the terminal, and says which charts report.html holds.\n"
         "With --png: Chromium without a window draws the charts (Debian package chromium; nothing is fetched from a\n"
-        "network). A field is drawn at its hottest moment. A file is named after its chart, "
-        "charts/heat-at-the-end.png;\n"
-        "other files there are left alone. The files appear together at the end. A chart that cannot be drawn is "
-        "named,\n"
-        "and the others are written.\n\n"
+        "network). A file is named after its chart, charts/heat-at-the-end.png; other files there are left alone. The\n"
+        "files appear together at the end. A chart that cannot be drawn is named, and the others are written.\n\n"
         "With two folders of run, or two of compare: report.html and page.txt with the keys of the cases that differ, "
         "the\n"
         "channels of both over each other with the differences of final value, maximum and mean, hottest places, hot "
@@ -344,6 +362,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
         "130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm report out/laser --png --width 1200\n"
+        "  tiretherm report out/laser out/three_watts --png --chart \"Temperature field\" --at end\n"
         "  tiretherm report out/laser out/three_watts --out out/one_or_three");
     command->callback([options, &exit_code] { exit_code = report(*options); });
 }

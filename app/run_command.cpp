@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `tiretherm run`: simulates a case, of a car all its tires, and writes channels, fields, pictures and, for [[critical]]
+// `tiretherm run`: simulates a case, of a car all its tires, and writes channels, fields and, for [[critical]]
 // temperatures, the hot spots.
 
 #include <algorithm>
@@ -204,6 +204,8 @@ void add_run_command(CLI::App& program, int& exit_code) {
                 [options, format] { options->switched.insert(format->name); }, format->help);
         }
     }
+    command->add_flag("--no-pictures")
+        ->group("");  // of calls that were written for version 0.2, which drew some itself
     command->add_flag_callback(
         "--no-report", [options] { options->switched.insert("report"); }, "No report.html and no page.txt");
     command->add_flag(
@@ -220,9 +222,8 @@ void add_run_command(CLI::App& program, int& exit_code) {
     command->footer(
         "Files: report.html (the summary with charts, for a browser), page.txt (the summary), results.h5 (everything, "
         "SI\n"
-        "units), channels.csv, field.pvd with field_*.vtu (ParaView; File > Load State > field_view.py shows them),\n"
-        "picture.png (temperature across the thickness), of a ring tread.png.\n"
-        "Charts as pictures: tiretherm report DIR --png\n"
+        "units), channels.csv, field.pvd with field_*.vtu (ParaView; File > Load State > field_view.py shows them).\n"
+        "Charts as pictures, the temperature field and the tread of a ring among them: tiretherm report DIR --png\n"
         "A log with laps: laps.csv (mean, maximum and end of each sensor in each lap) and heat.csv (heat of each "
         "effect,\n"
         "friction power). A case with [[corner]]: all tires of the car, each in a folder RUN_CORNER of its own, and "

@@ -30,5 +30,5 @@ configure_package_config_file(cmake/tirethermConfig.cmake.in ${PROJECT_BINARY_DI
     INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/tirethermConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/tirethermConfig.cmake ${PROJECT_BINARY_DIR}/tirethermConfigVersion.cmake
-    cmake/FindCHOLMOD.cmake cmake/FindUDUNITS2.cmake cmake/FindCairo.cmake
+    cmake/FindCHOLMOD.cmake cmake/FindUDUNITS2.cmake
     DESTINATION ${package_dir})

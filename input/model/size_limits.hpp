@@ -25,7 +25,7 @@ struct CaseSize {
     double rows = 0.0;              ///< of channels; 0: one for each step, whose number is not known before
     double fields = 0.0;            ///< stored fields
     std::optional<double> steps{};  ///< where their length is fixed
-    double output = 0.0;            ///< bytes of all files, pictures not counted
+    double output = 0.0;            ///< bytes of all files, the page not counted
     double memory = 0.0;            ///< bytes at the peak of a run
 };
 

@@ -20,7 +20,7 @@ std::vector<TableKeys> time_tables() {
             quantity("cells", {.unit = "1", .low = 1.0, .high = 2e8}, "Cells of the mesh. Default: 5 million."),
             quantity("rows", {.unit = "1", .low = 1.0, .high = 1e15}, "Rows of the channels. Default: 10 million."),
             quantity("steps", {.unit = "1", .low = 1.0, .high = 1e15}, "Steps of a fixed length. Default: 1000 million."),
-            text("output", "All files of a run, pictures not counted, by estimate. Default: 20 GB."),
+            text("output", "All files of a run, by estimate. Default: 20 GB."),
             text("memory", "Memory at the peak of a run, by estimate. Default: 8 GB, which is a mesh of about 4 million cells."),
         }},
         {"time", TableForm::table,

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "post/comparison/camera_chart.hpp"
 #include "post/comparison/comparison_report.hpp"
 
 namespace tiretherm::post {
@@ -100,6 +101,8 @@ void add_sizes(Section& section, const ComparedImages& one) {
 Section camera_part(const ComparedImages& one, const std::string& run) {
     Section part(fmt::format("{}, {}{}", one.camera, run,
                              one.bin > 1 ? fmt::format(", {0} by {0} detectors a pixel", one.bin) : ""));
+    part.chart(fmt::format("{}, {}: measured, simulated, difference", one.camera, run), camera_caption(one),
+               camera_chart(one));
     part.add(rings(one));
     part.gap();
     part.add(stages(one));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The files of a comparison: samples, statistics and pixels as tables, worst frames as pictures.
-#include <algorithm>
+// The files of a comparison: samples, statistics and pixels as tables.
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -11,7 +9,6 @@
 #include "post/comparison/corner_sections.hpp"
 #include "post/laps/heat_by_lap.hpp"
 #include "post/page/html_page.hpp"
-#include "post/pictures/camera_picture.hpp"
 #include "post/report/csv.hpp"
 #include "post/report/file.hpp"
 
@@ -88,34 +85,11 @@ std::string pixels_csv(const Comparison& comparison) {
     return csv.text();
 }
 
-std::string picture_name(const std::string& camera, const std::string& run) {
-    return fmt::format("compare_{}_{}.png", camera, run);
-}
-
 }  // namespace
 
-std::vector<std::string> comparison_names(const std::filesystem::path& directory) {
-    constexpr const char* pixels = "compare_pixels.csv";
+std::vector<std::string> comparison_names() {
     std::vector<std::string> names = page_names();
-    names.insert(names.end(), {"compare.csv", "compare_statistics.csv", laps_name, heat_name, pixels});
-    // The table of the pixels says which pictures stand beside it: a row begins with run and camera.
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(directory / pixels, error)) {
-        return names;
-    }
-    std::istringstream rows(read_text(directory / pixels));
-    for (std::string row; std::getline(rows, row);) {
-        const std::size_t first = row.find(',');
-        const std::size_t second = first == std::string::npos ? first : row.find(',', first + 1);
-        if (second == std::string::npos) {
-            continue;
-        }
-        const std::string name = picture_name(row.substr(first + 1, second - first - 1), row.substr(0, first));
-        const bool plain = name.find_first_of("/\"\r") == std::string::npos;
-        if (plain && std::ranges::find(names, name) == names.end()) {
-            names.push_back(name);
-        }
-    }
+    names.insert(names.end(), {"compare.csv", "compare_statistics.csv", laps_name, heat_name, "compare_pixels.csv"});
     return names;
 }
 
@@ -137,11 +111,6 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
     if (!comparison.images.empty()) {
         files.push_back(directory / "compare_pixels.csv");
         replace_file(files.back(), pixels_csv(comparison));
-    }
-    for (const ComparedImages& images : comparison.images) {
-        const std::string& run = comparison.runs[images.run];
-        files.push_back(directory / picture_name(images.camera, run));
-        draw_images(files.back(), images, images.worst, fmt::format("{}, {}, worst frame", images.camera, run));
     }
     return files;
 }

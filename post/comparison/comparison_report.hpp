@@ -16,10 +16,10 @@ namespace tiretherm::post {
 /// A page for a thermal engineer, and all figures. @param files that were written
 [[nodiscard]] Report comparison_report(const diagnosis::Comparison& comparison,
                                        const std::vector<std::filesystem::path>& files);
-/// Names of the files that a comparison leaves in a folder; of pictures those of the earlier comparison there.
-[[nodiscard]] std::vector<std::string> comparison_names(const std::filesystem::path& directory);
+/// Names of the files that a comparison leaves in a folder.
+[[nodiscard]] std::vector<std::string> comparison_names();
 /// compare.csv: a row for each sample. compare_statistics.csv: a row for each channel, run, phase and bin. Of cameras
-/// compare_pixels.csv, a row for each pixel of each run, and a picture of the worst frame of each run.
+/// compare_pixels.csv, a row for each pixel of each run.
 /// @errors FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_comparison(const diagnosis::Comparison& comparison,
                                                                   const std::filesystem::path& directory);

@@ -13,8 +13,10 @@
 
 #include "post/export/child_process.hpp"
 #include "post/page/assets.hpp"
+#include "post/page/html_page.hpp"
 #include "post/report/base64.hpp"
 #include "post/report/file.hpp"
+#include "post/report/output_folder.hpp"
 
 namespace tiretherm::post {
 
@@ -52,8 +54,9 @@ std::string drawing_page(const PageCharts& page, const PictureRequest& request) 
         "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; style-src "
         "'unsafe-inline'; img-src data:\">\n<style>\n";
     text += assets::style();
-    text += fmt::format("</style>\n</head>\n<body data-width=\"{}\"{}>\n<main>\n", request.width,
-                        request.dark ? " data-dark" : "");
+    text += fmt::format("</style>\n</head>\n<body data-width=\"{}\"{}{}>\n<main>\n", request.width,
+                        request.dark ? " data-dark" : "",
+                        request.at.empty() ? "" : fmt::format(" data-at=\"{}\"", request.at));
     for (const PageChart& chart : page.charts) {
         text += chart.element + "\n";
     }
@@ -165,6 +168,15 @@ std::vector<ChartPicture> pictures_of(const std::string& document, const PageCha
     return pictures;
 }
 
+/// The size that the header of a PNG file states.
+Value size_at(const std::string& png, std::size_t at) {
+    std::uint32_t size = 0;
+    for (std::size_t i = 0; i < 4 && at + i < png.size(); ++i) {
+        size = size << 8U | static_cast<unsigned char>(png[at + i]);
+    }
+    return size;
+}
+
 }  // namespace
 
 std::optional<fs::path> find_browser() {
@@ -179,6 +191,56 @@ std::vector<ChartPicture> chart_pictures(const fs::path& browser, const PageChar
     const ChildResult done =
         run_child(call_of(browser, file, folder.path() / "profile"), request.limit, request.stopped);
     return pictures_of(printed(browser, done, request), page, browser.string());
+}
+
+void write_pictures(const fs::path& folder, const PageCharts& page, const std::vector<ChartPicture>& pictures) {
+    OutputFolder output(folder / picture_folder);
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        if (pictures[i].failure.empty()) {
+            replace_file(output.stage() / page.charts[i].picture, pictures[i].png);
+        }
+    }
+    output.commit();
+}
+
+std::string not_drawn(const PageCharts& page, const std::vector<ChartPicture>& pictures) {
+    std::string titles;
+    std::string reason;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        if (!pictures[i].failure.empty()) {
+            titles += fmt::format("{}\"{}\"", titles.empty() ? "" : ", ", page.charts[i].title);
+            reason = reason.empty() ? pictures[i].failure : reason;
+        }
+    }
+    return titles.empty() ? "" : fmt::format("no picture of {}: {}", titles, reason);
+}
+
+Value page_data(const fs::path& folder, const PageCharts& page, const std::vector<ChartPicture>& pictures) {
+    std::error_code error;
+    const fs::path text = folder / text_page_name;
+    Value::List charts;
+    Value::List outputs;
+    for (std::size_t i = 0; i < page.charts.size(); ++i) {
+        Value chart{{"title", page.charts[i].title}};
+        if (!pictures.empty() && !pictures[i].failure.empty()) {
+            chart.set("error", pictures[i].failure);
+        } else if (!pictures.empty()) {
+            const std::string file = (folder / picture_folder / page.charts[i].picture).generic_string();
+            const std::string& png = pictures[i].png;
+            chart.set({{"file", file}, {"width", size_at(png, 16)}, {"height", size_at(png, 20)}});
+            outputs.push_back(file);
+        }
+        charts.push_back(std::move(chart));
+    }
+    Value data{{"report", (folder / page_name).generic_string()},
+               {"page", where(fs::exists(text, error), text.generic_string())},
+               {"version", page.version},
+               {"charts", std::move(charts)},
+               {"outputs", std::move(outputs)}};
+    if (const std::string sentence = not_drawn(page, pictures); !sentence.empty()) {
+        data.set({{"error", sentence}, {"mistakes", Value::List{}}});
+    }
+    return data;
 }
 
 }  // namespace tiretherm::post

@@ -11,12 +11,17 @@
 #include <vector>
 
 #include "post/export/page_charts.hpp"
+#include "post/report/value.hpp"
 
 namespace tiretherm::post {
+
+/// Where the pictures of a page's charts go, in its folder.
+inline constexpr const char* picture_folder = "charts";
 
 struct PictureRequest {
     int width = 1600;  ///< px
     bool dark = false;
+    std::string at{};  ///< s, or "end": the moment of fields and of frames; empty: that which the page shows first
     std::chrono::milliseconds limit = std::chrono::minutes(1);
     std::function<bool()> stopped = [] { return false; };
 };
@@ -48,5 +53,17 @@ struct ChartPicture {
 /// @returns [charts]   @errors BrowserError; FileError where no temporary file can be written
 [[nodiscard]] std::vector<ChartPicture> chart_pictures(const std::filesystem::path& browser, const PageCharts& page,
                                                        const PictureRequest& request);
+
+/// Writes the pictures into `picture_folder` of a page's folder, together. @param pictures [charts]
+/// @errors FileError; OutputError where another call works there
+void write_pictures(const std::filesystem::path& folder, const PageCharts& page,
+                    const std::vector<ChartPicture>& pictures);
+
+/// Why charts have no picture: the first of them, and what to do. Empty where all have one.
+[[nodiscard]] std::string not_drawn(const PageCharts& page, const std::vector<ChartPicture>& pictures);
+
+/// A folder's page as data: its charts, and their pictures with their sizes. @param pictures [charts], or empty: none was asked for
+[[nodiscard]] Value page_data(const std::filesystem::path& folder, const PageCharts& page,
+                              const std::vector<ChartPicture>& pictures);
 
 }  // namespace tiretherm::post

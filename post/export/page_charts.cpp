@@ -69,6 +69,10 @@ PageCharts read_page(const std::filesystem::path& page) {
         found.charts.push_back(chart_of(content.substr(at, after + end.size() - at)));
         at = after;
     }
+    const std::vector<std::string> names = picture_names(found.charts);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        found.charts[i].picture = names[i];
+    }
     return found;
 }
 
@@ -97,6 +101,21 @@ std::vector<std::string> picture_names(const std::vector<PageChart>& charts) {
         names.push_back(file);
     }
     return names;
+}
+
+std::string choose_charts(PageCharts& page, const std::vector<std::string>& names) {
+    std::vector<std::string> wanted;
+    for (const std::string& name : names) {
+        const std::string title = name.ends_with(".png") ? name.substr(0, name.size() - 4) : name;
+        wanted.push_back(picture_names({{.title = title, .element = {}}}).front());
+        if (std::ranges::find(page.charts, wanted.back(), &PageChart::picture) == page.charts.end()) {
+            return name;
+        }
+    }
+    std::erase_if(page.charts, [&](const PageChart& chart) {
+        return !wanted.empty() && std::ranges::find(wanted, chart.picture) == wanted.end();
+    });
+    return {};
 }
 
 }  // namespace tiretherm::post

@@ -13,7 +13,8 @@ namespace tiretherm::post {
 /// A chart of a page.
 struct PageChart {
     std::string title;
-    std::string element;  ///< the whole figure as it stands in the page
+    std::string element;    ///< the whole figure as it stands in the page
+    std::string picture{};  ///< the name of its picture
 };
 
 /// What a page holds.
@@ -28,10 +29,14 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// @errors FileError; PageError
+/// The charts of a page, each with the name of its picture. @errors FileError; PageError
 [[nodiscard]] PageCharts read_page(const std::filesystem::path& page);
 
 /// Names of the pictures of charts: "Heat at the end" is heat-at-the-end.png; equal ones are numbered from 2 on.
 [[nodiscard]] std::vector<std::string> picture_names(const std::vector<PageChart>& charts);
+
+/// Leaves those charts alone, in the order of the page, that are named: by the title, or by the picture with or without its ending.
+/// @param names empty: all   @returns the first name that no chart has; empty where each has one
+[[nodiscard]] std::string choose_charts(PageCharts& page, const std::vector<std::string>& names);
 
 }  // namespace tiretherm::post

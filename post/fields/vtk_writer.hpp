@@ -10,7 +10,7 @@
 
 #include "post/fields/output_format.hpp"
 #include "post/fields/whole_drawing.hpp"
-#include "post/pictures/drawn_field.hpp"
+#include "post/page/drawn_field.hpp"
 #include "solver/hot_spot_finder.hpp"
 
 namespace tiretherm::post {

@@ -19,7 +19,7 @@
 
 TIRETHERM_ASSET(style, TIRETHERM_FILE("report.css"));
 TIRETHERM_ASSET(script, TIRETHERM_FILE("parts.js") TIRETHERM_FILE("maps_and_bars.js") TIRETHERM_FILE("fields.js")
-                            TIRETHERM_FILE("report.js"));
+                            TIRETHERM_FILE("images.js") TIRETHERM_FILE("report.js"));
 TIRETHERM_ASSET(export_script, TIRETHERM_FILE("export.js"));
 TIRETHERM_ASSET(charting_library, TIRETHERM_FILE("echarts.min.js"));
 

@@ -74,6 +74,17 @@ std::string axis_unit(std::string_view unit) { return unit == "degC" ? "°C" : s
 
 double rounded(double value, int digits) { return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr); }
 
+double round_step(double about) {
+    const double power = std::pow(10.0, std::floor(std::log10(about)));
+    const double mantissa = about / power;
+    for (const double round : {1.0, 2.0, 2.5, 5.0}) {
+        if (mantissa <= round) {
+            return round * power;
+        }
+    }
+    return 10.0 * power;
+}
+
 LineChart::LineChart(std::string x, std::string unit, double low, double high)
     : axis_{{"name", std::move(x)}, {"unit", std::move(unit)}, {"min", number(low)}, {"max", number(high)}} {}
 

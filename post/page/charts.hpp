@@ -120,6 +120,9 @@ template <typename Convert>
     return converted(std::move(values), [&](double value) { return factor * value; });
 }
 
+/// A step of 1, 2, 2.5 or 5 times a power of ten, no smaller than the one that is asked for. @pre about > 0
+[[nodiscard]] double round_step(double about);
+
 /// A number with so many digits as a chart shows.
 [[nodiscard]] double rounded(double value, int digits = 6);
 

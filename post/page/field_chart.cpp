@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quadrilaterals of the drawn section, their temperatures in 65536 steps of one common scale, borders and names.
+// Quadrilaterals of the drawn section with their temperatures, borders and names.
 #include "post/page/field_chart.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "mesh/ring.hpp"
 #include "post/page/charts.hpp"
-#include "post/pictures/section_plane.hpp"
-#include "post/report/base64.hpp"
 #include "post/report/number_text.hpp"
 #include "solver/celsius.hpp"
 
@@ -21,9 +18,7 @@ namespace tiretherm::post {
 
 namespace {
 
-constexpr std::size_t values_on_a_page = 500'000;  ///< 1.3 MB as text
-constexpr double per_metre = 1e3;                  ///< mm
-constexpr double steps = 65535.0;
+constexpr double per_metre = 1e3;  ///< mm
 
 double mm(double metres) { return rounded(per_metre * metres, 5); }
 
@@ -114,6 +109,157 @@ Value::List layer_places_of(const FoldedSection& section, const mesh::Mesh& mesh
     return places;
 }
 
+/// Whether a mesh extends along x as well as through the thickness.
+bool has_plane(const mesh::Mesh& mesh) { return mesh.grid && mesh.grid->size(0) > 1; }
+
+/// The columns of a plane that are drawn: of a mirrored specimen both halves.
+struct PlaneColumns {
+    const mesh::Grid& grid;
+    int kept;  ///< of the mesh, from its inner end on
+
+    [[nodiscard]] bool mirrored() const { return grid.mirror[0]; }
+    [[nodiscard]] int count() const { return mirrored() ? 2 * kept : kept; }
+    [[nodiscard]] int of_mesh(int column) const {
+        return !mirrored() ? column : column < kept ? kept - 1 - column : column - kept;
+    }
+    /// Both sides of a column, the left one first. m
+    [[nodiscard]] std::array<double, 2> sides(int column) const {
+        const auto i = static_cast<std::size_t>(of_mesh(column));
+        const bool left = mirrored() && column < kept;
+        return left ? std::array{-grid.edge[0][i + 1], -grid.edge[0][i]}
+                    : std::array{grid.edge[0][i], grid.edge[0][i + 1]};
+    }
+};
+
+/// The row of cells in the middle along y: at the plane of symmetry, the axis, or y = 0.
+int middle_row(const mesh::Grid& grid) {
+    const std::vector<double>& edge = grid.edge[1];
+    const double y = grid.mirror[1] ? edge.front() : 0.5 * (edge.front() + edge.back());
+    const auto above = std::ranges::upper_bound(edge, y) - edge.begin();
+    return std::clamp(static_cast<int>(above) - 1, 0, grid.size(1) - 1);
+}
+
+/// How many columns from the axis outwards say something: a specimen is made wide so that its rim does not matter. The rest
+/// differs at each depth from the outer end by less than 5 % of the range. Nothing is cut for less than a third, and never so
+/// much that less than the depth is left on either side.
+/// @param shown with values of the mesh's columns, depth after depth
+int columns_worth_drawing(const mesh::Grid& grid, const std::vector<Moment>& shown) {
+    const int all = grid.size(0);
+    if (!grid.mirror[0]) {
+        return all;
+    }
+    const auto width = static_cast<std::size_t>(all);
+    int kept = 0;
+    for (const Moment& moment : shown) {
+        const auto [low, high] = std::ranges::minmax(moment.celsius);
+        for (std::size_t i = 0; i < moment.celsius.size(); ++i) {
+            const float at_end = moment.celsius[i / width * width + width - 1];
+            if (std::abs(moment.celsius[i] - at_end) >= 0.05F * (high - low) && high > low) {
+                kept = std::max(kept, static_cast<int>(i % width) + 2);
+            }
+        }
+    }
+    const std::vector<double>& x = grid.edge[0];
+    const double deep = grid.edge[2].back() - grid.edge[2].front();
+    kept = kept == 0 ? all : std::max(kept, static_cast<int>(std::ranges::lower_bound(x, deep) - x.begin()));
+    return kept >= all || x[static_cast<std::size_t>(kept)] > 2.0 / 3.0 * x.back() ? all : kept;
+}
+
+/// Lines and names of the layers of a plane, whose rows of cells begin and end with them.
+struct PlaneLayers {
+    Value::List borders;
+    Value::List places;
+};
+
+PlaneLayers layers_of_plane(const mesh::Mesh& mesh, const Range& across) {
+    const mesh::Grid& grid = *mesh.grid;
+    const auto layer = [&](int row) { return mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, row))]; };
+    PlaneLayers found;
+    double top = grid.edge[2].front();
+    for (int k = 0; k < grid.size(2); ++k) {
+        const bool is_last = k + 1 == grid.size(2);
+        if (!is_last && layer(k) == layer(k + 1)) {
+            continue;
+        }
+        const double bottom = grid.edge[2][static_cast<std::size_t>(k) + 1];
+        found.places.emplace_back(Value{{"name", in_words(mesh.layers[static_cast<std::size_t>(layer(k))])},
+                                        {"x", across.low},
+                                        {"y", mm(0.5 * (top + bottom))}});
+        if (!is_last) {
+            found.borders.emplace_back(Value::List{across.low, mm(bottom), across.high, mm(bottom)});
+        }
+        top = bottom;
+    }
+    return found;
+}
+
+/// The cells of a plane, row by row from the surface on.
+Value outline_of_plane(const mesh::Mesh& mesh, const PlaneColumns& columns) {
+    const mesh::Grid& grid = *mesh.grid;
+    Value::List polygons;
+    Value::List layers;
+    Range across;
+    for (int k = 0; k < grid.size(2); ++k) {
+        const double z0 = grid.edge[2][static_cast<std::size_t>(k)];
+        const double z1 = grid.edge[2][static_cast<std::size_t>(k) + 1];
+        for (int column = 0; column < columns.count(); ++column) {
+            const auto [x0, x1] = columns.sides(column);
+            add_polygon(polygons, std::array{x0, z0, x1, z0, x1, z1, x0, z1});
+            layers.emplace_back(mesh.layer[static_cast<std::size_t>(grid.cell(columns.of_mesh(column), 0, k))]);
+            across.include(per_metre * x0);
+            across.include(per_metre * x1);
+        }
+    }
+    const Range depth{.low = per_metre * grid.edge[2].front(), .high = per_metre * grid.edge[2].back()};
+    const double whole = per_metre * grid.edge[0].back();
+    PlaneLayers found = layers_of_plane(mesh, across);
+    return {
+        {"x", axis(columns.kept < grid.size(0) ? fmt::format("across, shown to {:.3g} of {:.3g}", across.high, whole)
+                                               : std::string("across"),
+                   across, 0.0, false)},
+        {"y", axis("depth", depth, 0.0, true)},
+        {"corners", 4},
+        {"columns", columns.count()},
+        {"polygons", std::move(polygons)},
+        {"layers", std::move(layers)},
+        {"layer_names", mesh.layers},
+        {"borders", std::move(found.borders)},
+        {"names", Value::List{}},
+        {"layer_places", std::move(found.places)}};
+}
+
+/// The cells of a folded section, each with arcs for its inner and outer side.
+Value outline_of_section(const FoldedSection& section, const mesh::Mesh& mesh) {
+    Value::List polygons;
+    Value::List layers;
+    Range across;
+    Range along;
+    constexpr int pieces = FoldedSection::pieces;
+    for (int cell = 0; cell < mesh.n_cells; ++cell) {
+        std::array<double, 4 * (pieces + 1)> polygon{};  // the inner side, and the outer side back
+        for (int i = 0; i < 2 * (pieces + 1); ++i) {
+            const bool inner = i <= pieces;
+            const double u = static_cast<double>(inner ? i : 2 * pieces + 1 - i) / pieces;
+            const FoldedSection::Place place = section.in_cell(cell, u, inner ? 0.0 : 1.0);
+            polygon[2 * static_cast<std::size_t>(i)] = place[0];
+            polygon[2 * static_cast<std::size_t>(i) + 1] = place[1];
+            across.include(per_metre * place[0]);
+            along.include(per_metre * place[1]);
+        }
+        add_polygon(polygons, polygon);
+        layers.emplace_back(mesh.layer[static_cast<std::size_t>(cell)]);
+    }
+    return {{"x", axis("across, outboard to inboard", across, 6.0, false)},
+            {"y", axis("radius", along, 6.0, false)},
+            {"corners", 2 * (pieces + 1)},
+            {"polygons", std::move(polygons)},
+            {"layers", std::move(layers)},
+            {"layer_names", mesh.layers},
+            {"borders", borders_of(section)},
+            {"names", names_of(section, mesh)},
+            {"layer_places", layer_places_of(section, mesh)}};
+}
+
 }  // namespace
 
 FieldFrames::FieldFrames(const solver::Problem& problem)
@@ -125,175 +271,82 @@ FieldFrames::FieldFrames(const solver::Problem& problem)
     if (folded_) {
         section_shape_.emplace(drawn_mesh());
     }
+    if (folded_ && problem.mesh.sectors > 1) {
+        tread_.emplace(problem);
+    }
 }
 
-FieldFrames::Frame FieldFrames::frame_of(double time, std::span<const double> temperature) const {
-    Frame frame;
-    frame.time = time;
-    if (!folded_) {
-        const SectionPlane plane = section_plane(problem_, temperature, Shading::cells);
-        const std::size_t width = plane.x.size() - 1;
-        for (const double kelvin : plane.kelvin) {
-            frame.celsius.push_back(static_cast<float>(solver::celsius(kelvin)));
+Moment FieldFrames::of_plane(double time, std::span<const double> temperature) const {
+    const mesh::Grid& grid = *problem_.mesh.grid;
+    const int row = middle_row(grid);
+    Moment moment{.time = time, .celsius = {}, .mark = {}};
+    for (int k = 0; k < grid.size(2); ++k) {
+        for (int i = 0; i < grid.size(0); ++i) {
+            const double kelvin = temperature[static_cast<std::size_t>(grid.cell(i, row, k))];
+            moment.celsius.push_back(static_cast<float>(solver::celsius(kelvin)));
         }
-        const auto cell = static_cast<std::size_t>(std::ranges::max_element(plane.kelvin) - plane.kelvin.begin());
-        const std::size_t column = cell % width;
-        const std::size_t row = cell / width;
-        frame.hottest = solver::celsius(finder_.find(temperature).temperature);
-        frame.at = {mm(0.5 * (plane.x[column] + plane.x[column + 1])),
-                    mm(0.5 * (plane.depth[row] + plane.depth[row + 1]))};
-        return frame;
     }
+    const auto cell = static_cast<std::size_t>(std::ranges::max_element(moment.celsius) - moment.celsius.begin());
+    const auto middle = [&](std::size_t side, std::size_t i) {
+        return mm(0.5 * (grid.edge[side][i] + grid.edge[side][i + 1]));
+    };
+    const auto width = static_cast<std::size_t>(grid.size(0));
+    moment.mark = {middle(0, cell % width), middle(2, cell / width),
+                   solver::celsius(finder_.find(temperature).temperature)};
+    return moment;
+}
+
+Moment FieldFrames::of_section(double time, std::span<const double> temperature) const {
     const bool is_ring = problem_.mesh.sectors > 1;
-    const mesh::Mesh& mesh = is_ring ? section_ : problem_.mesh;
     const std::vector<double> mean = is_ring ? mesh::around(problem_.mesh, temperature) : std::vector<double>{};
-    const std::vector<double> kelvin = drawn_.at_points(is_ring ? std::span<const double>(mean) : temperature);
-    for (int cell = 0; cell < mesh.n_cells; ++cell) {
+    const std::span<const double> kelvin = is_ring ? std::span<const double>(mean) : temperature;
+    const std::vector<double> at_corners = drawn_.at_points(kelvin);
+    Moment moment{.time = time, .celsius = {}, .mark = {}};
+    for (int cell = 0; cell < drawn_mesh().n_cells; ++cell) {
         double sum = 0.0;
         for (std::size_t i = 0; i < 4; ++i) {
-            sum += kelvin[section_shape_->corner(cell, i)];
+            sum += at_corners[section_shape_->corner(cell, i)];
         }
-        frame.celsius.push_back(static_cast<float>(solver::celsius(0.25 * sum)));
+        moment.celsius.push_back(static_cast<float>(solver::celsius(0.25 * sum)));
     }
-    const solver::HotSpotFinder::Found hottest =
-        section_shape_->hottest(is_ring ? std::span<const double>(mean) : temperature);
-    frame.hottest = solver::celsius(hottest.temperature);
-    if (const auto at = section_shape_->place(hottest.point[0], hottest.point[2])) {
-        frame.at = {mm((*at)[0]), mm((*at)[1])};
-    }
-    return frame;
+    const solver::HotSpotFinder::Found hottest = section_shape_->hottest(kelvin);
+    const FoldedSection::Place at =
+        section_shape_->place(hottest.point[0], hottest.point[2]).value_or(FoldedSection::Place{});
+    moment.mark = {mm(at[0]), mm(at[1]), solver::celsius(hottest.temperature)};
+    return moment;
 }
 
-bool FieldFrames::is_drawn() const { return has_section(problem_.mesh) || folded_; }
+bool FieldFrames::is_drawn() const { return folded_ || has_plane(problem_.mesh); }
 
 void FieldFrames::take(const solver::Snapshot& snapshot) {
     if (!snapshot.field || !is_drawn()) {
         return;
     }
-    last_ = frame_of(snapshot.time, snapshot.temperature);
-    if (seen_ % stride_ == 0) {
-        frames_.push_back(last_);
-        thin();
+    moments_.take(moment_of(snapshot.time, snapshot.temperature));
+    if (tread_) {
+        tread_->take(snapshot.time, snapshot.temperature);
     }
-    ++seen_;
 }
 
 void FieldFrames::take_hottest(double time, std::span<const double> temperature) {
-    if (is_drawn() && seen_ > 0) {
-        hottest_ = frame_of(time, temperature);
+    if (!empty()) {
+        moments_.show_first(moment_of(time, temperature));
     }
 }
 
-void FieldFrames::thin() {
-    const std::size_t most = std::clamp<std::size_t>(values_on_a_page / frames_.front().celsius.size(), 2, 120);
-    if (frames_.size() <= most) {
-        return;
-    }
-    std::vector<Frame> kept;
-    for (std::size_t i = 0; i < frames_.size(); i += 2) {
-        kept.push_back(std::move(frames_[i]));
-    }
-    frames_ = std::move(kept);
-    stride_ *= 2;
-}
-
-Value FieldFrames::outline() const {
-    Value::List polygons;
-    Value::List layers;
-    Range across;
-    Range along;
-    if (folded_) {
-        const mesh::Mesh& mesh = drawn_mesh();
-        for (int cell = 0; cell < mesh.n_cells; ++cell) {
-            constexpr int pieces = FoldedSection::pieces;
-            std::array<double, 4 * (pieces + 1)> polygon{};  // the inner side, and the outer side back
-            for (int i = 0; i < 2 * (pieces + 1); ++i) {
-                const bool inner = i <= pieces;
-                const double u = static_cast<double>(inner ? i : 2 * pieces + 1 - i) / pieces;
-                const FoldedSection::Place place = section_shape_->in_cell(cell, u, inner ? 0.0 : 1.0);
-                polygon[2 * static_cast<std::size_t>(i)] = place[0];
-                polygon[2 * static_cast<std::size_t>(i) + 1] = place[1];
-                across.include(per_metre * place[0]);
-                along.include(per_metre * place[1]);
-            }
-            add_polygon(polygons, polygon);
-            layers.emplace_back(mesh.layer[static_cast<std::size_t>(cell)]);
-        }
-        return {{"x", axis("across, outboard to inboard", across, 6.0, false)},
-                {"y", axis("radius", along, 6.0, false)},
-                {"corners", 2 * (FoldedSection::pieces + 1)},
-                {"polygons", std::move(polygons)},
-                {"layers", std::move(layers)},
-                {"layer_names", mesh.layers},
-                {"borders", borders_of(*section_shape_)},
-                {"names", names_of(*section_shape_, mesh)},
-                {"layer_places", layer_places_of(*section_shape_, mesh)}};
-    }
-    const mesh::Grid& grid = *problem_.mesh.grid;
-    const bool mirrored = grid.mirror[0];
-    for (int side = 0; side < (mirrored ? 2 : 1); ++side) {
-        for (int k = 0; k < grid.size(2); ++k) {
-            for (int i = 0; i < grid.size(0); ++i) {
-                const double sign = side == 0 ? 1.0 : -1.0;
-                const double x0 = sign * grid.edge[0][static_cast<std::size_t>(i)];
-                const double x1 = sign * grid.edge[0][static_cast<std::size_t>(i) + 1];
-                const double z0 = grid.edge[2][static_cast<std::size_t>(k)];
-                const double z1 = grid.edge[2][static_cast<std::size_t>(k) + 1];
-                add_polygon(polygons, std::array{x0, z0, x1, z0, x1, z1, x0, z1});
-                layers.emplace_back(problem_.mesh.layer[static_cast<std::size_t>(grid.cell(i, 0, k))]);
-                across.include(per_metre * x0);
-                across.include(per_metre * x1);
-                along.include(per_metre * z0);
-                along.include(per_metre * z1);
-            }
-        }
-    }
-    Value::List borders;
-    Value::List layer_places;
-    int first = 0;  // row of the layer at hand
-    for (int k = 0; k < grid.size(2); ++k) {
-        const auto index = [&](int row) { return problem_.mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, row))]; };
-        if (k + 1 == grid.size(2) || index(k) != index(k + 1)) {
-            const double top = grid.edge[2][static_cast<std::size_t>(first)];
-            const double bottom = grid.edge[2][static_cast<std::size_t>(k) + 1];
-            layer_places.emplace_back(
-                Value{{"name", in_words(problem_.mesh.layers[static_cast<std::size_t>(index(k))])},
-                      {"x", across.low},
-                      {"y", mm(0.5 * (top + bottom))}});
-            first = k + 1;
-        }
-    }
-    for (int k = 0; k + 1 < grid.size(2); ++k) {
-        const auto layer = [&](int row) { return problem_.mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, row))]; };
-        if (layer(k) != layer(k + 1)) {
-            const double z = mm(grid.edge[2][static_cast<std::size_t>(k) + 1]);
-            borders.emplace_back(Value::List{across.low, z, across.high, z});
-        }
-    }
-    return {{"x", axis("across", across, 0.0, false)},
-            {"y", axis("depth", along, 0.0, true)},
-            {"corners", 4},
-            {"polygons", std::move(polygons)},
-            {"layers", std::move(layers)},
-            {"layer_names", problem_.mesh.layers},
-            {"borders", std::move(borders)},
-            {"names", Value::List{}},
-            {"layer_places", std::move(layer_places)}};
-}
-
-Value::List FieldFrames::spots(const diagnosis::HotSpots& hot_spots, const std::vector<const Frame*>& shown) const {
+Value::List FieldFrames::spots(const diagnosis::HotSpots& hot_spots, const std::vector<Moment>& shown) const {
     Value::List list;
     for (const diagnosis::HotSpot& spot : hot_spots.spots) {
         const std::vector<double>& time = spot.history.time();
         Value::List places;
-        for (const Frame* frame : shown) {
-            auto row = static_cast<std::size_t>(std::ranges::lower_bound(time, frame->time) - time.begin());
+        for (const Moment& moment : shown) {
+            auto row = static_cast<std::size_t>(std::ranges::lower_bound(time, moment.time) - time.begin());
             if (row >= time.size()) {
                 places.emplace_back();
                 continue;
             }
             // The hottest step may lie between two rows.
-            row -= row > 0 && frame->time - time[row - 1] < time[row] - frame->time ? 1 : 0;
+            row -= row > 0 && moment.time - time[row - 1] < time[row] - moment.time ? 1 : 0;
             const solver::HotSpotFinder::Found& found = spot.history.found(row);
             const auto at = section_shape_->place(found.point[0], found.point[2]);
             places.push_back(
@@ -309,57 +362,29 @@ Value::List FieldFrames::spots(const diagnosis::HotSpots& hot_spots, const std::
 }
 
 Value FieldFrames::chart(const diagnosis::HotSpots* hot_spots) const {
-    std::vector<const Frame*> shown;
-    for (const Frame& frame : frames_) {
-        shown.push_back(&frame);
-    }
-    const Frame& hottest_frame = hottest_ ? *hottest_ : last_;
-    for (const Frame* extra : {&hottest_frame, &last_}) {
-        if (std::ranges::none_of(shown, [&](const Frame* frame) { return frame->time == extra->time; })) {
-            shown.push_back(extra);
+    std::vector<Moment> shown = moments_.shown();
+    Value data{{"kind", "field"}};
+    if (folded_) {
+        data.set(moments_.data(shown));
+        if (hot_spots != nullptr) {
+            data.set("spots", spots(*hot_spots, shown));
         }
+        data.set(outline_of_section(*section_shape_, drawn_mesh()));
+        return data;
     }
-    std::ranges::sort(shown, {}, &Frame::time);
-    Range range;
-    for (const Frame* frame : shown) {
-        range.include(frame->hottest);
-        for (const float celsius : frame->celsius) {
-            range.include(static_cast<double>(celsius));
-        }
-    }
-    const TimeUnit unit = time_unit(shown.back()->time - shown.front()->time);
-    const bool mirrored = !folded_ && problem_.mesh.grid->mirror[0];
-    std::vector<unsigned char> bytes;
-    Value::List times;
-    Value::List marks;
-    std::size_t hottest = 0;
-    for (std::size_t f = 0; f < shown.size(); ++f) {
-        const Frame& frame = *shown[f];
-        for (int side = 0; side < (mirrored ? 2 : 1); ++side) {
-            for (const float celsius : frame.celsius) {
-                const double share =
-                    (static_cast<double>(celsius) - range.low) / std::max(range.high - range.low, 1e-9);
-                const auto step = static_cast<std::uint16_t>(std::lround(steps * share));
-                bytes.push_back(static_cast<unsigned char>(step & 0xFFU));
-                bytes.push_back(static_cast<unsigned char>(step >> 8U));
+    const mesh::Grid& grid = *problem_.mesh.grid;
+    const PlaneColumns columns{.grid = grid, .kept = columns_worth_drawing(grid, shown)};
+    for (Moment& moment : shown) {
+        std::vector<float> drawn;
+        for (int k = 0; k < grid.size(2); ++k) {
+            for (int column = 0; column < columns.count(); ++column) {
+                drawn.push_back(moment.celsius[static_cast<std::size_t>(k * grid.size(0) + columns.of_mesh(column))]);
             }
         }
-        times.emplace_back(rounded(frame.time / unit.seconds));
-        marks.emplace_back(Value::List{frame.at[0], frame.at[1], rounded(frame.hottest, 7)});
-        hottest = frame.time == hottest_frame.time ? f : hottest;
+        moment.celsius = std::move(drawn);
     }
-    Value data{{"kind", "field"},
-               {"times", times},
-               {"time_unit", unit.name},
-               {"low", rounded(range.low, 7)},
-               {"high", rounded(range.high, 7)},
-               {"hottest", hottest},
-               {"marks", marks},
-               {"values", base64(bytes)}};
-    if (folded_ && hot_spots != nullptr) {
-        data.set("spots", spots(*hot_spots, shown));
-    }
-    data.set(outline());
+    data.set(moments_.data(shown));
+    data.set(outline_of_plane(problem_.mesh, columns));
     return data;
 }
 
@@ -374,7 +399,8 @@ std::string FieldFrames::caption(const diagnosis::HotSpots* hot_spots) const {
         folded_ && hot_spots != nullptr ? " The diamonds are the hot spots of the parts with a critical temperature."
                                         : "",
         problem_.mesh.sectors > 1 ? " Mean around the tire." : "",
-        folded_ ? "" : " The colour of a cell is its mean; the circle stands in the hottest cell.", layers);
+        folded_ ? "" : " The colour of a cell is its mean; the circle stands in the hottest cell. Lines are isotherms.",
+        layers);
 }
 
 }  // namespace tiretherm::post

@@ -34,7 +34,8 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
 
 std::vector<std::string> RunFiles::names_in(const std::filesystem::path& directory) {
     std::vector<std::string> names = page_names();
-    names.insert(names.end(), {"hot_spots.csv", laps_name, heat_name});
+    names.insert(names.end(),
+                 {"hot_spots.csv", laps_name, heat_name, "picture.png", "tread.png"});  // version 0.2: *.png
     for (const OutputFormat* format : output_formats()) {
         const std::vector<std::string> more = format->names_in(directory);
         names.insert(names.end(), more.begin(), more.end());

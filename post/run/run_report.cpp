@@ -152,6 +152,9 @@ void add_results(Report& page, const RunRecord& run) {
     if (run.fields != nullptr && !run.fields->empty()) {
         Section field("Temperature field");
         field.chart("Temperature field", run.fields->caption(run.hot_spots), run.fields->chart(run.hot_spots));
+        if (const TreadFrames* tread = run.fields->tread()) {
+            field.chart("Tread, unrolled", tread->caption(), tread->chart());
+        }
         page.add(std::move(field));
     }
     if (run.hot_spots != nullptr) {

@@ -10,7 +10,6 @@
 
 #include "diagnosis/study/study_statistics.hpp"
 #include "post/page/charts.hpp"
-#include "post/pictures/ticks.hpp"
 #include "post/study/study_axis.hpp"
 #include "solver/celsius.hpp"
 
@@ -85,8 +84,7 @@ Bins bins_of(const std::vector<double>& sorted) {
     const double wanted =
         2.0 * (quantile(sorted, 0.75) - quantile(sorted, 0.25)) / std::cbrt(static_cast<double>(sorted.size()));
     const int about = wanted > 0.0 ? std::clamp(static_cast<int>(spread / wanted), 4, 40) : 4;
-    const Ticks round = ticks(sorted.front(), sorted.front() + spread, about);
-    const double step = round.values.size() > 1 ? round.values[1] - round.values[0] : spread;
+    const double step = round_step(spread / about);
     Bins bins{.from = std::floor(sorted.front() / step) * step, .step = step, .count = {}};
     for (const double value : sorted) {
         const auto i = static_cast<std::size_t>((value - bins.from) / step);

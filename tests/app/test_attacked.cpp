@@ -177,7 +177,7 @@ TEST(Attacked, ShortStepsAfterALongTimeComeToAnEnd) {
                         "\"speed [km/h]\"]\nrows = [{}]\n",
                         two_node, tolerance, rows));
         EXPECT_NE(shell(fmt::format("cd '{}' && timeout -s KILL 60 '{}' run case.toml --quiet --no-report --no-vtk "
-                                    "--no-pictures >/dev/null 2>&1",
+                                    ">/dev/null 2>&1",
                                     scratch.path().string(), TIRETHERM_PROGRAM)),
                   137)
             << tolerance;
@@ -368,8 +368,8 @@ TEST(Attacked, ControlCharactersOfFilesReachNoTerminal) {
     post::replace_file(scratch / name, text);
     const std::string quoted = "\"$(printf 'a\\033[31m\\nb.toml')\"";
     for (const std::string& command :
-         {"check " + quoted, "run " + quoted + " --no-pictures --out o", "check " + quoted + "x",
-          "new " + quoted + " --out n.toml", "study " + quoted, "run " + quoted + " --out " + quoted + "/x"}) {
+         {"check " + quoted, "run " + quoted + " --out o", "check " + quoted + "x", "new " + quoted + " --out n.toml",
+          "study " + quoted, "run " + quoted + " --out " + quoted + "/x"}) {
         const Call made = call(command, scratch.path());
         EXPECT_FALSE(has(made.out + made.err, "\033")) << command << made.out << made.err;
         EXPECT_FALSE(has(made.out + made.err, "\nb.toml")) << command << made.out << made.err;

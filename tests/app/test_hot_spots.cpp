@@ -31,14 +31,14 @@ std::string flowing(const std::string& text) {
 }
 
 /// Runs a case that is written into an empty directory.
-Call run(const sample::Scratch& scratch, const std::string& text, const std::string& options) {
+Call run(const sample::Scratch& scratch, const std::string& text, const std::string& options = "") {
     post::replace_file(scratch / "case.toml", text);
     return call("run case.toml --out out --no-vtk " + options, scratch.path());
 }
 
 Json spots(const std::string& text) {
     const sample::Scratch scratch;
-    const Call done = run(scratch, text, "--json --no-pictures");
+    const Call done = run(scratch, text, "--json");
     EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
     return Json::parse(done.out)["hot_spots"];
 }
@@ -116,7 +116,7 @@ TEST(HotSpots, MarginAndFurtherStepsAreToldWhenNothingPasses) {
     EXPECT_NE(csv.find("\n600,72,0,"), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(scratch / "out/page.txt"));
     // Files of a case that asks for hot spots do not outlive it.
-    const Call again = run(scratch, warming_plate + three_steps, "--no-pictures");
+    const Call again = run(scratch, warming_plate + three_steps);
     EXPECT_EQ(again.exit_code, 0) << again.err;
     EXPECT_EQ(again.out.find("Hot spots"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(scratch / "out/hot_spots.csv"));
@@ -126,7 +126,7 @@ TEST(HotSpots, MarginAndFurtherStepsAreToldWhenNothingPasses) {
 // with the critical temperatures and how sure they are.
 TEST(HotSpots, ThePageBeginsWithThemAndTheHottestPlaceHasOneMoment) {
     const sample::Scratch scratch;
-    const std::string arguments = "run cases/durability/un_r30_load_speed.toml --no-vtk --no-pictures --out ";
+    const std::string arguments = "run cases/durability/un_r30_load_speed.toml --no-vtk --out ";
     const Call done = call(arguments + (scratch / "out").string() + " --json", TIRETHERM_SOURCE_DIR);
     ASSERT_EQ(done.exit_code, 0) << done.err;
     const Json json = Json::parse(done.out);
@@ -238,7 +238,7 @@ standard_deviation = 0.03
 key = "drive.air_temperature"
 standard_deviation = "3 K"
 )");
-    const Call one = call("run case.toml --out one --json --no-vtk --no-pictures", scratch.path());
+    const Call one = call("run case.toml --out one --json --no-vtk", scratch.path());
     ASSERT_EQ(one.exit_code, 0) << one.out << one.err;
     const Json spot = Json::parse(one.out)["hot_spots"]["spots"][0];
     // A critical temperature half a deviation above the hot spot, where a probability says most.
@@ -301,7 +301,7 @@ TEST(HotSpots, ARunThatFailsHasThePageOfWhatItCameTo) {
         "include = [\"" TIRETHERM_SOURCE_DIR
         "/cases/durability/fmvss_139_high_speed.toml\"]\n"
         "[[source]]\nname = \"fire\"\nfollows = \"(time > 8000) * 1e15\"\nat = \"surface\"\nwatts = \"1 W\"\n");
-    const Call run = call("run fire.toml --no-pictures --no-vtk --out o", scratch.path());
+    const Call run = call("run fire.toml --no-vtk --out o", scratch.path());
     EXPECT_EQ(run.exit_code, 2) << run.err;
     EXPECT_NE(run.out.find("The run ended early: nothing is said of steady states"), std::string::npos) << run.out;
     EXPECT_TRUE(std::filesystem::exists(scratch / "o/report.html"));

@@ -32,11 +32,10 @@ TEST(New, SizeGivesACaseThatRuns) {
     EXPECT_NE(made.out.find("\n  drive.vertical_load "), std::string::npos) << made.out;
     EXPECT_TRUE(made.out.ends_with("\nIt runs with: tiretherm run mine/first.toml\n")) << made.out;
     std::filesystem::rename(scratch / "mine/first.toml", scratch / "moved.toml");
-    const Call run = call("run moved.toml --json --no-vtk --no-pictures --out out", scratch.path());
+    const Call run = call("run moved.toml --json --no-vtk --out out", scratch.path());
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(call("check moved.toml", scratch.path()).err, "");
-    EXPECT_NE(call("run moved.toml --no-vtk --no-pictures --out out", scratch.path()).out.find("63.97"),
-              std::string::npos);
+    EXPECT_NE(call("run moved.toml --no-vtk --out out", scratch.path()).out.find("63.97"), std::string::npos);
 }
 
 TEST(New, SectionIsTheStandardMeshAndTheSizeTheStandardName) {
@@ -97,7 +96,7 @@ TEST(New, LogGivesACaseThatIsCompared) {
     EXPECT_NE(made.out.find("measured by the sensor bulk_temperature\n"), std::string::npos) << made.out;
     EXPECT_NE(made.out.find("\n  drive.road_temperature  20 degC"), std::string::npos) << made.out;
     std::filesystem::rename(scratch / "cases", scratch / "elsewhere");
-    const Call run = call("run elsewhere/mine.toml --no-vtk --no-pictures", scratch.path());
+    const Call run = call("run elsewhere/mine.toml --no-vtk", scratch.path());
     EXPECT_EQ(run.exit_code, 0) << run.err;
     const Call compared = call("compare elsewhere/mine.toml --json", scratch.path());
     ASSERT_EQ(compared.exit_code, 0) << compared.err;
@@ -108,7 +107,7 @@ TEST(New, LogGivesACaseThatIsCompared) {
 // What `tiretherm run` recorded is a log as well; its channels come back as the sensors they were.
 TEST(New, ResultsOfARunAreALog) {
     const sample::Scratch scratch;
-    ASSERT_EQ(call("run " + two_node + " --no-vtk --no-pictures --out out", scratch.path()).exit_code, 0);
+    ASSERT_EQ(call("run " + two_node + " --no-vtk --out out", scratch.path()).exit_code, 0);
     const Call made = call("new out/results.h5 --mesh two_node --out again.toml --json", scratch.path());
     ASSERT_EQ(made.exit_code, 0) << made.err << made.out;
     const Json json = Json::parse(made.out);

@@ -321,8 +321,7 @@ TEST(NothingLost, FullDiskIsASentenceAndCostsNothing) {
     const auto begin = [&] {
         fs::remove(disk / "fill");
         fs::remove_all(disk / "o");
-        EXPECT_EQ(call("run " + two_node + " --quiet --no-pictures --no-report --out disk/o", scratch.path()).exit_code,
-                  0);
+        EXPECT_EQ(call("run " + two_node + " --quiet --no-report --out disk/o", scratch.path()).exit_code, 0);
         return files_of(disk / "o");
     };
     const auto before = begin();

@@ -21,8 +21,8 @@ struct Pair {
 
     Pair() {
         written.add("fast.toml", "include = [\"" + two_node + "\"]\n[drive]\nspeed = \"120 km/h\"\n");
-        EXPECT_EQ(in_folder("run --no-vtk --no-pictures --quiet --out slow " + two_node).exit_code, 0);
-        EXPECT_EQ(in_folder("run --no-vtk --no-pictures --quiet --out fast fast.toml").exit_code, 0);
+        EXPECT_EQ(in_folder("run --no-vtk --quiet --out slow " + two_node).exit_code, 0);
+        EXPECT_EQ(in_folder("run --no-vtk --quiet --out fast fast.toml").exit_code, 0);
     }
     [[nodiscard]] Call in_folder(const std::string& arguments) const { return call(arguments, written.folder()); }
 };

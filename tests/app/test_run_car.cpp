@@ -41,7 +41,7 @@ file = "lap.csv"
                    .string();
     }
     [[nodiscard]] Call run(const std::string& arguments) const {
-        return call("run " + file + " --no-vtk --no-pictures --out out " + arguments, written.folder());
+        return call("run " + file + " --no-vtk --out out " + arguments, written.folder());
     }
     [[nodiscard]] std::filesystem::path out(const std::string& name) const { return written.folder() / "out" / name; }
 };

@@ -34,7 +34,7 @@ steady = true
                    .string();
     }
     [[nodiscard]] Call run(const std::string& arguments) const {
-        return call("run " + file + " --no-vtk --no-pictures --out out " + arguments, written.folder());
+        return call("run " + file + " --no-vtk --out out " + arguments, written.folder());
     }
 };
 

@@ -61,7 +61,7 @@ def wrong_slider(browser, page):
             continue
         hottest = [max(frame_values(data, f)) for f in range(len(data["times"]))]
         warmest = data["hottest"]
-        if hottest[warmest] < max(hottest) - 0.05:  # a plateau creeps on, and colours are means of cells
+        if "first" not in data and hottest[warmest] < max(hottest) - 0.05:  # a plateau creeps on, and colours are means of cells
             said.append(f"the hottest moment is not the hottest: {hottest[warmest]} of {max(hottest)}")
         drawn = {}
 

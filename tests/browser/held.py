@@ -68,14 +68,24 @@ def wrong_cells(data, series):
 
 def frame_values(data, frame):
     """Temperatures of a moment, degC."""
-    count = len(data["polygons"]) // (2 * data["corners"])
-    steps = struct.unpack(f"<{len(data['times']) * count}H", base64.b64decode(data["values"]))
+    bytes_ = base64.b64decode(data["values"])
+    steps = struct.unpack(f"<{len(bytes_) // 2}H", bytes_)
+    count = len(steps) // len(data["times"])
     return [data["low"] + (data["high"] - data["low"]) / 65535 * s for s in steps[frame * count:(frame + 1) * count]]
 
 
 def wrong_field(data, series, frame):
     held = [[place[2]] for place in series[0]["data"]]
     return [] if same([[v] for v in frame_values(data, frame)], held) else ["the field is not that of its moment"]
+
+
+def wrong_images(data, series, frame):
+    """Three panels: measured, simulated, simulated - measured."""
+    values = frame_values(data, frame)
+    measured, simulated = values[:len(values) // 2], values[len(values) // 2:]
+    wanted = [measured, simulated, [s - m for m, s in zip(measured, simulated)]]
+    return [f"the panel {one['name']} is not that of its frame" for one, panel in zip(series, wanted)
+            if not same([[v] for v in panel], [[place[2]] for place in one["data"]])]
 
 
 def places(browser, index):
@@ -118,6 +128,8 @@ def wrong_charts(browser, page):
             said += wrong_bars(data, chart["series"])
         elif data["kind"] == "cells":
             said += wrong_cells(data, chart["series"])
+        elif data["kind"] == "images":
+            said += wrong_images(data, chart["series"], chart["frame"])
         elif data["kind"] == "field":
             said += wrong_field(data, chart["series"], chart["frame"]) + wrong_colours(browser, index, data, chart["frame"])
     return said

@@ -2,7 +2,10 @@
 """A page is laid out for its window: panels stand below one another, tables are seen whole on a phone, no word is broken, fields
 have a scale; and every chart becomes a picture."""
 import json
+import pathlib
+import struct
 import subprocess
+import zlib
 
 PANELS = """return tiretherm.charts.filter((chart) => chart.data.kind === "lines").map((chart) =>
   chart.echart.getModel().queryComponents({mainType: "grid"}).map((grid) => grid.coordinateSystem.getRect()).map((r) => [r.x, r.width]))"""
@@ -24,7 +27,7 @@ for (const of of document.querySelectorAll("h1, h2, h3, .verdict, th, td, p, li"
   }
 }
 return [...broken].slice(0, 5);"""
-SCALES = """return tiretherm.charts.filter((chart) => ["field", "cells"].includes(chart.data.kind)
+SCALES = """return tiretherm.charts.filter((chart) => ["field", "images", "cells"].includes(chart.data.kind)
   && chart.echart.getOption().visualMap[0].show === false).length"""
 LEGENDS = """return tiretherm.charts.filter((chart) => chart.data.kind === "lines").filter((chart) => {
   const {option} = tiretherm.made(chart, tiretherm.looks.light, 800, true);
@@ -46,14 +49,30 @@ def wrong_layout(browser):
     return said
 
 
+DARK_PAPER = (0x15, 0x18, 0x1c)  # that of report.css
+
+
+def first_pixel(picture):
+    """Of a PNG with a byte a colour: whatever its filter, the first pixel stands as it is behind the filter's number."""
+    bytes_, at, packed = picture.read_bytes(), 8, b""
+    while at < len(bytes_):
+        length, kind = struct.unpack(">I4s", bytes_[at:at + 8])
+        packed += bytes_[at + 8:at + 8 + length] if kind == b"IDAT" else b""
+        at += length + 12
+    return tuple(zlib.decompress(packed)[1:4])
+
+
 def wrong_pictures(browser, program, page):
-    """The page's charts as pictures: all of them, each with a name for every curve."""
-    done = subprocess.run([str(program), "report", str(page.parent), "--png", "--json", "--width", "800", "--time-limit", "300"],
+    """The page's charts as pictures: all of them, on dark paper where that is asked for, each with a name for every curve."""
+    done = subprocess.run([str(program), "report", str(page.parent), "--png", "--json", "--width", "800", "--dark", "--time-limit", "300"],
                           capture_output=True, text=True)
     if done.returncode != 0:
         return [f"report --png failed: {done.stdout}{done.stderr}"]
     charts = json.loads(done.stdout)["charts"]
     said = [f"the chart {chart['title']} has no picture" for chart in charts if not chart.get("file")]
+    for chart in charts:
+        if chart.get("file") and (first := first_pixel(pathlib.Path(chart["file"]))) != DARK_PAPER:
+            said.append(f"the picture of {chart['title']} begins with {first} and not with dark paper")
     if len(charts) != browser.run("return tiretherm.charts.length"):
         said.append(f"{len(charts)} pictures are not one of each chart")
     return said + wrong_legends(browser)

@@ -29,7 +29,7 @@ foreach(installed bin/tiretherm include/tiretherm/mesh/mesh.hpp share/tiretherm/
 endforeach()
 
 set(hidden "")
-foreach(package VTK HDF5 tomlplusplus UDUNITS2 muparser Ceres Cairo nlohmann_json CLI11)
+foreach(package VTK HDF5 tomlplusplus UDUNITS2 muparser Ceres nlohmann_json CLI11)
     list(APPEND hidden -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 consumer(core ${hidden})

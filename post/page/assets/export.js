@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws each chart of a page as a picture with its title on top and leaves the pictures in the document as text, a line each:
 //   INDEX PNG as base64        or, where a chart cannot be drawn,        INDEX - reason
-// <body data-width="1600" data-dark> says how. Runs after report.js, in a browser without a window.
+// <body data-width="1600" data-dark data-at="600"> says how: at which moment, s or "end"; without it that which the page shows first. Runs after report.js, in a browser without a window.
 (function () {
   "use strict";
   const width = +document.body.dataset.width;
@@ -27,6 +27,12 @@
     if (!chart) {
       throw new Error("a chart of this page has data that this version does not read");
     }
+    const { at } = document.body.dataset, { times, time_unit: unit } = chart.data;
+    if (at && times) {
+      const wanted = at === "end" ? Infinity : +at / { s: 1, min: 60, h: 3600 }[unit];
+      const last = times.length - 1, off = (f) => Math.abs(times[f] - wanted);
+      window.tiretherm.showMoment(chart, wanted >= times[last] ? last : times.reduce((best, _, f) => (off(f) < off(best) ? f : best), 0));
+    }
     const look = window.tiretherm.looks["dark" in document.body.dataset ? "dark" : "light"];
     const family = getComputedStyle(document.body).fontFamily;
     const { option, height: tall } = window.tiretherm.made(chart, look, layout, true);
@@ -35,9 +41,9 @@
       delete option.dataZoom;
       height -= slider;
     }
-    if (option.visualMap) {  // handles are for a hand; they have the ends of the scale
-      const { min, max, formatter, text } = option.visualMap;
-      Object.assign(option.visualMap, { calculable: false, text: text || [formatter(max), formatter(min)] });
+    for (const scale of [option.visualMap || []].flat()) {  // handles are for a hand; they have the ends of the scale
+      const { min, max, formatter, text } = scale;
+      Object.assign(scale, { calculable: false, text: text || [formatter(max), formatter(min)] });
     }
     option.series.forEach((series) => { series.progressive = 0; });  // all at once, not over several frames
     const place = document.body.appendChild(document.createElement("div"));

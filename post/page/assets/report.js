@@ -2,6 +2,7 @@
 // Draws the charts of a page with Apache ECharts. Each <figure class="chart"> holds its data as JSON:
 //   lines: panels above one another over one axis, with measured points, bands, levels, marks and spans
 //   field: temperatures at several moments, with a slider: see fields.js
+//   images: frames of a camera, with a slider: see images.js
 //   bars, cells: see maps_and_bars.js
 // Keys on a chart: + and - zoom, the arrows move, 0 shows all.
 (function () {
@@ -167,7 +168,7 @@
     label.append(chart.output);
     chart.input.setAttribute("aria-label", "time");
     chart.input.addEventListener("input", () => showMoment(chart, +chart.input.value));
-    const button = Object.assign(document.createElement("button"), { type: "button", textContent: "hottest moment" });
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: data.first || "hottest moment" });
     button.addEventListener("click", () => showMoment(chart, data.hottest));
     row.append(label, chart.input, button);
     if (data.times.length < 2) {
@@ -180,6 +181,7 @@
   /** Option of ECharts and height of a chart. @param alone a picture, which has no boxes beside it and needs its legend */
   function made(chart, look, width, alone) {
     return chart.data.kind === "field" ? fieldChart.field(chart.data, look, width, chart.frame)
+      : chart.data.kind === "images" ? imageChart.images(chart.data, look, width, chart.frame)
       : chart.data.kind === "lines" ? lines(chart.data, look, width, chart.places, !!chart.picks && !alone)
         : mapsAndBars[chart.data.kind](chart.data, look, width);
   }
@@ -187,7 +189,7 @@
   function draw(chart) {
     const look = reader(), { option, height } = made(chart, look, chart.plot.clientWidth);
     chart.plot.style.height = `${Math.round(height)}px`;
-    const renderer = chart.data.kind === "field" ? "canvas" : "svg";
+    const renderer = chart.data.times ? "canvas" : "svg";
     chart.echart = window.echarts.getInstanceByDom(chart.plot) || window.echarts.init(chart.plot, null, { renderer });
     chart.echart.resize({ width: chart.plot.clientWidth, height: Math.round(height) });
     const zoom = chart.data.kind === "lines" && chart.drawn ? chart.echart.getOption().dataZoom[0] : null;
@@ -325,7 +327,7 @@
         addPicks(chart);
       }
       try {
-        (chart.data.kind === "field" ? addMoments : draw)(chart);
+        (chart.data.times ? addMoments : draw)(chart);
       } catch (error) {  // the others are drawn
         chart.plot.textContent = `This chart cannot be drawn: ${error.message}`;
         chart.failed = true;
@@ -347,7 +349,7 @@
     window.addEventListener("beforeprint", () => { document.body.classList.add("printing"); again(); });
     window.addEventListener("afterprint", () => { document.body.classList.remove("printing"); again(); });
     window.tiretherm = { charts };  // for tests
-    Object.assign(window.tiretherm, { looks, made });  // for export.js
+    Object.assign(window.tiretherm, { looks, made, showMoment });  // for export.js
   }
   document.addEventListener("DOMContentLoaded", start);
 })();

@@ -63,7 +63,7 @@ TEST(Mat, ChannelsAreVectorsInTheUnitsOfTheCsv) {
     solver::Problem problem = sample::problem();
     problem.channels[1].name = "2nd liner";
     const Provenance provenance;
-    RunFiles files(scratch.path(), problem, provenance, {"vtk", "pictures", "mat"});
+    RunFiles files(scratch.path(), problem, provenance, {"vtk", "mat"});
     files.take(sample::Moment(problem, 0.0, {296.15, 250.0}, true).snapshot);
     files.take(sample::Moment(problem, 30.5, {353.15, 303.123456}, true).snapshot);
     files.finish({});
@@ -85,7 +85,7 @@ TEST(Mat, IsWrittenOnRequestAndNeverLeftFromAnEarlierRun) {
     const solver::Problem problem = sample::problem();
     const Provenance provenance;
     replace_file(scratch / "channels.mat", "of an earlier run");
-    RunFiles files(scratch.path(), problem, provenance, {"vtk", "pictures", "report"});
+    RunFiles files(scratch.path(), problem, provenance, {"vtk", "report"});
     files.take(sample::Moment(problem, 0.0, {296.15, 250.0}, true).snapshot);
     files.finish({});
     EXPECT_EQ(files.written().size(), 2u);

@@ -118,6 +118,16 @@ TEST(Charts, BarsSideBySideKeepTheirOrderAndTheirGaps) {
     EXPECT_EQ(chart["items"], Json::parse(R"([{"name":"surface","values":[2.0,null]}])"));
 }
 
+// Powers of ten times 1, 2, 2.5 and 5, the next one upwards.
+TEST(Charts, StepsOfAnAxisAreRound) {
+    EXPECT_DOUBLE_EQ(round_step(6.0), 10.0);
+    EXPECT_DOUBLE_EQ(round_step(0.08), 0.1);
+    EXPECT_DOUBLE_EQ(round_step(2.4), 2.5);
+    EXPECT_DOUBLE_EQ(round_step(140.0), 200.0);
+    EXPECT_DOUBLE_EQ(round_step(0.0051), 0.01);
+    EXPECT_DOUBLE_EQ(round_step(5.0), 5.0);
+}
+
 TEST(Charts, NumbersHaveSixDigits) {
     EXPECT_EQ(rounded(1.0 / 3.0), 0.333333);
     EXPECT_EQ(rounded(123456789.0), 123457000.0);

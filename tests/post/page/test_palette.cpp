@@ -117,6 +117,25 @@ TEST(Palette, DifferencesOfColoursAreThoseOfTheStandard) {
     EXPECT_NEAR(difference({50.0, 2.5, 0.0}, {73.0, 25.0, -18.0}), 27.1492, 5e-5);
 }
 
+// Ends and quarters of "inferno" as published (R package viridis, inferno(5)); each is met to 2/255. It gets brighter all the way.
+TEST(Palette, TemperaturesHaveTheColoursOfInferno) {
+    const double published[5][3] = {
+        {0, 0, 4}, {0x56, 0x10, 0x6e}, {0xbb, 0x37, 0x54}, {0xf9, 0x8c, 0x0a}, {0xfc, 0xff, 0xa4}};
+    const auto byte = [](double linear) {
+        return 255.0 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055);
+    };
+    const std::vector<Triple> steps = colours("inferno");
+    ASSERT_EQ(steps.size(), 33U);
+    for (std::size_t quarter = 0; quarter < 5; ++quarter) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NEAR(byte(steps[8 * quarter][i]), published[quarter][i], 2.0) << quarter;
+        }
+    }
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+        EXPECT_LT(luminance(steps[i - 1]), luminance(steps[i])) << i;
+    }
+}
+
 // A CIEDE2000 of 1 can just be seen with both colours side by side; thin lines apart from each other need some ten times that.
 TEST(Palette, CurvesCanBeToldApartByAllEyes) {
     for (const char* name : {"curvesOnLight", "curvesOnDark"}) {

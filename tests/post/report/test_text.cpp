@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Building blocks of reports: tables, wrapping, ticks, histories, comparisons and safe file replacement.
+// Building blocks of reports: tables, wrapping, histories, comparisons and safe file replacement.
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "mesh/place.hpp"
-#include "post/pictures/ticks.hpp"
 #include "post/report/file.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/table.hpp"
@@ -92,24 +91,6 @@ TEST(Table, LongTextIsBrokenAtBlanks) {
     EXPECT_EQ(wrap("one two three", 2, 9), "  one two\n  three\n");
     EXPECT_EQ(wrap("", 2, 9), "");
 }
-
-TEST(Ticks, AreRoundAndInsideTheAxis) {
-    EXPECT_EQ(ticks(0.0, 60.0, 10).values, (std::vector<double>{0, 10, 20, 30, 40, 50, 60}));
-    const Ticks fine = ticks(23.04, 23.36, 4);
-    ASSERT_EQ(fine.values.size(), 3u);
-    EXPECT_EQ(fine.label(fine.values[0]), "23.1");
-    EXPECT_EQ(fine.label(fine.values[2]), "23.3");
-    EXPECT_EQ(ticks(-30.0, 30.0, 12).label(0.0), "0");
-}
-
-TEST(Ticks, StepsOfTwoAndAHalfKeepTheirDecimal) {
-    const Ticks found = ticks(0.0, 10.0, 4);
-    ASSERT_EQ(found.values.size(), 5u);
-    EXPECT_EQ(found.label(found.values[1]), "2.5");
-    EXPECT_EQ(ticks(0.0, 100.0, 4).label(25.0), "25");
-}
-
-TEST(Ticks, EvenFieldHasOneTick) { EXPECT_EQ(ticks(5.0, 5.0, 4).values, (std::vector<double>{5.0})); }
 
 TEST(History, IsStraightBetweenRowsAndHeldBeyond) {
     const solver::Problem problem = sample::problem();

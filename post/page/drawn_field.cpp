@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prepares the interpolation weights of every corner point once and applies them to a field.
 
-#include "post/pictures/drawn_field.hpp"
+#include "post/page/drawn_field.hpp"
 
 #include "mesh/probe.hpp"
 

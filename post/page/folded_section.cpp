@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Blends the corners of a cell and adds the arc's rise over its chord.
 
-#include "post/pictures/folded_section.hpp"
+#include "post/page/folded_section.hpp"
 
 #include <algorithm>
 #include <cmath>

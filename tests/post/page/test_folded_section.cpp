@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shape of a drawn cross-section: arcs that are coarse in cells are round, and places lie where the meridian has them.
-#include "post/pictures/folded_section.hpp"
+#include "post/page/folded_section.hpp"
 
 #include <algorithm>
 #include <cmath>
