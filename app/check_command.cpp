@@ -25,6 +25,7 @@
 #include "input/text/characters.hpp"
 #include "input/text/word_lists.hpp"
 #include "input/tire_property_file/tire_size.hpp"
+#include "physics/celsius.hpp"
 #include "physics/tire_laws/load_capacity.hpp"
 #include "post/report/table.hpp"
 
@@ -135,12 +136,10 @@ std::string modulus_text(double pascal) {
 
 /// "belt: 11.3 % cords; at 20 degC 0.313 W/mK through, 1.09 along the meridian, 5.09 around the circumference; ...".
 std::string ply_text(const input::PlySummary& ply) {
-    constexpr double celsius_zero = 273.15;
     std::string text = fmt::format(
         "{}: {:.3g} % cords; at {:.6g} degC {:.3g} W/mK through, {:.3g} along the meridian, {:.3g} around the "
         "circumference",
-        ply.material, ply.cord_share * 100.0, ply.temperature - celsius_zero, ply.through, ply.meridian,
-        ply.circumference);
+        ply.material, ply.cord_share * 100.0, celsius(ply.temperature), ply.through, ply.meridian, ply.circumference);
     if (ply.lamina) {
         text += fmt::format("; moduli of one ply {} along its cords, {} across, {} around the circumference",
                             modulus_text(ply.lamina->E1), modulus_text(ply.lamina->E2),
@@ -201,6 +200,7 @@ void print_json(const Checked& checked) {
                 {"output_bytes", size.output},
                 {"memory_bytes", size.memory}}},
               {"warnings", checked.warnings},
+              {"errors", Json::array()},
               {"mistakes", Json::array()}};
     for (const input::PlySummary& ply : checked.plies) {
         json["plies"].push_back({{"material", ply.material},

@@ -22,8 +22,9 @@ namespace {
 void print_study(const input::Study& study, const std::vector<std::string>& warnings, bool json) {
     using Json = nlohmann::ordered_json;
     if (json) {
-        Json shown{{"study", study.title},    {"case", study.case_name}, {"runs", study.runs.size()},
-                   {"inputs", Json::array()}, {"warnings", warnings},    {"mistakes", Json::array()}};
+        Json shown{{"study", study.title},     {"case", study.case_name}, {"runs", study.runs.size()},
+                   {"inputs", Json::array()},  {"warnings", warnings},    {"errors", Json::array()},
+                   {"mistakes", Json::array()}};
         for (const input::StudyInput& input : study.inputs) {
             shown["inputs"].push_back(
                 {{"key", input.key.text}, {"drawn", input.is_drawn}, {"values", input.values.size()}});

@@ -62,7 +62,8 @@ void print_report(const post::Report& report, bool json) {
 void report_error(const std::string& sentence, const std::string& remedy, bool json) {
     const std::string whole = remedy.empty() ? sentence : fmt::format("{}; {}", sentence, remedy);
     if (json) {
-        fmt::print("{}", post::json_text({{"error", whole}, {"mistakes", post::Value::List{}}}));
+        fmt::print("{}", post::json_text(
+                             {{"error", whole}, {"errors", post::Value::List{}}, {"mistakes", post::Value::List{}}}));
     } else {
         fmt::print(stderr, "tiretherm: {}\n", input::printable(whole));
     }
@@ -84,7 +85,9 @@ void report_errors(const input::Reading& reading, const std::string& consequence
                           {"message", error.what},
                           {"remedy", error.remedy}});
     }
-    fmt::print("{}", post::json_text({{"error", sentence}, {"mistakes", errors}, {"warnings", reading.warnings}}));
+    fmt::print("{}",
+               post::json_text(
+                   {{"error", sentence}, {"errors", errors}, {"mistakes", errors}, {"warnings", reading.warnings}}));
 }
 
 }  // namespace tiretherm::app

@@ -32,7 +32,7 @@ void print_text(std::string_view text);
 /// A result on stdout: its page, or with `json` its data.
 void print_report(const post::Report& report, bool json);
 
-/// Reports what went wrong, on stderr; with `json` as an object {"error", "mistakes"} on stdout instead.
+/// Reports what went wrong, on stderr; with `json` as an object {"error", "errors"} (and "mistakes", as it was called before 0.3) on stdout instead.
 /// @param sentence without its full stop   @param remedy what to do, or empty
 void report_error(const std::string& sentence, const std::string& remedy, bool json);
 

@@ -102,7 +102,7 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
     }
     request.size = std::get<input::TireSize>(read);
     if (!options.test.empty()) {
-        const std::string other = log || specimen ? "--test speaks of a tire, and none is named"
+        const std::string other = log || specimen ? "--test needs a tire, and none is named"
                                   : !options.mesh.empty() && options.mesh != "section" ? "--test is for a cross-section"
                                                                                        : "";
         const auto test = input::drum_test(options.test, request.size);
@@ -128,8 +128,7 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
     const std::optional<std::vector<input::GivenUnit>> units = given_units(options.units, options.json);
     if (!units || (!log && !units->empty())) {
         if (units) {
-            report_error("--unit speaks of a log, and there is none", "name a log: tiretherm new drive.csv",
-                         options.json);
+            report_error("--unit needs a log, and there is none", "name a log: tiretherm new drive.csv", options.json);
         }
         return std::nullopt;
     }
@@ -168,6 +167,7 @@ void print_json(const input::NewCase& made, const input::NewCaseRequest& request
               {"assumed", Json::array()},
               {"missing", Json::array()},
               {"warnings", made.warnings},
+              {"errors", Json::array()},
               {"mistakes", Json::array()}};
     if (made.log) {
         json["log"] = {{"file", made.log->path},       {"from", made.log->time.front()},

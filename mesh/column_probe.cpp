@@ -7,13 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/index.hpp"
 #include "mesh/ring.hpp"
 
 namespace tiretherm::mesh {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double thickness(const Column& column) { return column.edge.back(); }
 

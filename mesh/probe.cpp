@@ -8,12 +8,11 @@
 #include <cmath>
 
 #include "mesh/column_probe.hpp"
+#include "mesh/index.hpp"
 
 namespace tiretherm::mesh {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Positions of an axis with their weights at a coordinate. Index -1 and n stand for the surface nodes at either end.
 struct Stencil {

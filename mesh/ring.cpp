@@ -11,12 +11,11 @@
 #include <numeric>
 
 #include "mesh/column_probe.hpp"
+#include "mesh/index.hpp"
 
 namespace tiretherm::mesh {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// How the nodes of a ring are numbered: cells sector after sector, then surface nodes sector by sector, then lumped.
 struct Numbering {

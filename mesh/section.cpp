@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "mesh/builders.hpp"
+#include "mesh/index.hpp"
 #include "mesh/tensor.hpp"
 
 namespace tiretherm::mesh {
@@ -17,8 +18,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Depths closer than this are the same. m
 constexpr double same_depth = 1e-9;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A zone's stack of layers, and how far its outer surface lies below that of the thickest zone.
 struct Stack {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/index.hpp"
+
 namespace tiretherm::mesh {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Lengths, areas and volumes of one cell of the tensor product, for either metric.
 struct Metrics {

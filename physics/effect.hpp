@@ -16,6 +16,7 @@
 
 #include "mesh/mesh.hpp"
 #include "physics/effect_classes.hpp"
+#include "physics/effect_facts.hpp"
 #include "physics/field_transfer/field.hpp"
 
 namespace tiretherm::physics {
@@ -80,6 +81,9 @@ struct Effect {
     std::string_view meaning;
     std::span<const ComparedRange> compared{};  ///< where its law was compared with measurements, or is said to hold
     std::span<const ParameterSpec> parameters{};
+    std::span<const PlausibleRange> plausible{};  ///< of its parameters
+    std::span<const ConfoundedGroup> confounded{};
+    std::span<const TrialValues> trials{};  ///< of its parameters
     std::span<const Choice> choices{};
     std::span<const Table> tables{};
     std::span<const Scope> scopes{};               ///< where its parameters may differ

@@ -1,41 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of plausible ranges and the look-ups in it.
+// Look-ups in the ranges of the effects.
 #include "physics/plausible_ranges.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace tiretherm::physics {
 
 namespace {
 
-#define RANGE(sensor, effect, parameter, low, high, source, why) \
-    PlausibleRange{effect, parameter, low, high, source, why, SensorKind::sensor},
-constexpr std::array list{
-#include "physics/plausible_ranges.list"
-};
-#undef RANGE
-
-const PlausibleRange* find(std::string_view effect, std::string_view parameter, SensorKind sensor) {
-    const auto found = std::ranges::find_if(list, [&](const PlausibleRange& range) {
-        return range.effect == effect && range.parameter == parameter && range.sensor == sensor;
+const PlausibleRange* find(const Effect& effect, std::string_view parameter, SensorKind sensor) {
+    const auto found = std::ranges::find_if(effect.plausible, [&](const PlausibleRange& range) {
+        return range.parameter == parameter && range.sensor == sensor;
     });
-    return found == list.end() ? nullptr : &*found;
+    return found == effect.plausible.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-std::span<const PlausibleRange> plausible_ranges() { return list; }
-
-const PlausibleRange* plausible_range(const Effect& effect, std::size_t parameter) {
-    return plausible_range(effect, parameter, SensorKind::any);
-}
-
 const PlausibleRange* plausible_range(const Effect& effect, std::size_t parameter, SensorKind sensor) {
-    const std::string_view key = effect.parameters[parameter].key;
-    for (const std::string_view name : {key, std::string_view("*")}) {
+    for (const std::string_view name : {effect.parameters[parameter].key, std::string_view("*")}) {
         for (const SensorKind kind : {sensor, SensorKind::any}) {
-            if (const PlausibleRange* range = find(effect.id, name, kind); range != nullptr) {
+            if (const PlausibleRange* range = find(effect, name, kind); range != nullptr) {
                 return range;
             }
         }
@@ -43,7 +28,9 @@ const PlausibleRange* plausible_range(const Effect& effect, std::size_t paramete
     return nullptr;
 }
 
-const PlausibleRange* plausible_range_of_law(std::string_view law) { return find("conduction", law, SensorKind::any); }
+const PlausibleRange* plausible_range_of_law(std::string_view law) {
+    return find(*find_effect("conduction"), law, SensorKind::any);
+}
 
 bool is_plausible(const Effect& effect, std::size_t parameter, double value, SensorKind sensor) {
     const PlausibleRange* range = plausible_range(effect, parameter, sensor);

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 
+#include "mesh/index.hpp"
+
 namespace tiretherm::physics {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void clear(std::vector<double>& values) { std::fill(values.begin(), values.end(), 0.0); }
 

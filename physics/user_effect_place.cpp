@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/index.hpp"
 #include "physics/spread.hpp"
 
 namespace tiretherm::physics {
@@ -16,8 +17,6 @@ namespace {
 
 /// Where heat capacities are compared: rubber's c(T) of 60 degC. K
 constexpr double usual_temperature = 333.15;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Area of the boundary that belongs to a node. @returns m2, 0 of a node inside
 double area_of(const mesh::Mesh& mesh, int node) {

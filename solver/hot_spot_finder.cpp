@@ -10,13 +10,12 @@
 #include <numeric>
 #include <utility>
 
+#include "mesh/index.hpp"
 #include "mesh/ring.hpp"
 
 namespace tiretherm::solver {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Two mirrored shoulders are equally hot but for round-off: the first one is reported, always. K
 constexpr double as_hot = 1e-7;

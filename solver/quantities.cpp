@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of what channels read: temperatures, and what follows from them by the laws of the tire.
+#include "physics/celsius.hpp"
 #include "solver/quantity.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include "physics/contact/travelling.hpp"
 #include "physics/contact/tread_effusivity.hpp"
 #include "physics/tire_laws/rolling_resistance.hpp"
-#include "solver/celsius.hpp"
 #include "solver/problem.hpp"
 #include "solver/system.hpp"
 

@@ -11,11 +11,12 @@
 
 #include <fmt/format.h>
 
+#include "mesh/index.hpp"
+#include "physics/celsius.hpp"
+
 namespace tiretherm::solver {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Step of the difference quotient for effects without derivatives: far above round-off, far below any law's scale. K
 constexpr double difference_step = 1e-4;
@@ -257,9 +258,8 @@ void System::enthalpy(std::span<const double> T, std::span<double> H) const {
 
 Status System::failure_at(Outcome outcome, std::string_view why, int node, double time, std::span<const double> T,
                           std::span<const double> coefficients) {
-    const double celsius = T[at(node)] - 273.15;
-    const std::string degrees =
-        std::abs(celsius) < 1e5 ? fmt::format("{:.2f}", celsius) : fmt::format("{:.3g}", celsius);
+    const double shown = celsius(T[at(node)]);
+    const std::string degrees = std::abs(shown) < 1e5 ? fmt::format("{:.2f}", shown) : fmt::format("{:.3g}", shown);
     return {outcome,
             fmt::format("{} at t = {:.6g} s, in {} ({} degC); largest heat source there: {}", why, time,
                         describe_node(problem_->mesh, node), degrees, largest_heat_source(node, T, coefficients))};

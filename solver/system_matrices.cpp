@@ -6,13 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/index.hpp"
 #include "solver/system.hpp"
 
 namespace tiretherm::solver {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// How nearly a surface without capacity follows the inputs; Newton's next correction would be the square of it. K
 constexpr double surface_tolerance = 1e-8;

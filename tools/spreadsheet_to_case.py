@@ -626,7 +626,7 @@ def check(case, stem, program):
         assumed = "" if entry.cells[i] is not None else f" ({key} is assumed, the sheets do not say it)"
         return entry, entry.cells[i], sentence + assumed
 
-    for mistake in told["mistakes"]:
+    for mistake in told["errors"]:
         entry, cell, what = of(mistake["line"], mistake["message"])
         is_unit = entry and entry.unit and re.search("without a unit|not a unit| is wanted$", what)
         sheets.wrong(cell, what, f"write {entry.unit}" if is_unit else mistake["remedy"])

@@ -54,7 +54,7 @@ std::string meaning_of(diagnosis::Identifiability word) {
         case Identifiability::not_determined:
             return "the data do not see it, and nothing was known: its value means nothing";
         case Identifiability::at_bound:
-            return "the data want a value beyond what is allowed";
+            return "the data favour a value beyond the bound";
     }
     return "";
 }

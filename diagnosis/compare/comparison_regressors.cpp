@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/celsius.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -63,9 +63,9 @@ std::vector<Regressor> regressors_of(const input::Experiment& experiment) {
     add("laser_power", "laser power", "W", [](const SampleContext& m) { return m.inputs.laser_power; });
     add("wet", "wet", "-", [](const SampleContext& m) { return m.inputs.wet; });
     add("air_temperature", "air temperature", "degC",
-        [](const SampleContext& m) { return solver::celsius(m.inputs.air_temperature); });
+        [](const SampleContext& m) { return celsius(m.inputs.air_temperature); });
     add("road_temperature", "road temperature", "degC",
-        [](const SampleContext& m) { return solver::celsius(m.inputs.road_temperature); });
+        [](const SampleContext& m) { return celsius(m.inputs.road_temperature); });
     add("air_temperature", "simulated rise over air", "K",
         [](const SampleContext& m) { return m.is_temperature ? m.simulated - m.inputs.air_temperature : absent; });
     for (const input::MeasuredRun& run : experiment.runs) {

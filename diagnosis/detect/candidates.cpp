@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis/detect/trial_values.hpp"
 #include "input/parameters/effect_names.hpp"
 #include "input/parameters/parameter_path.hpp"
 
@@ -107,9 +106,15 @@ std::vector<int> measured_channels(const input::Experiment& experiment) {
     return channels;
 }
 
+/// @returns null where the slope is enough
+const physics::TrialValues* trial_values_of(const Effect& effect, const ParameterSpec& parameter) {
+    const auto found = std::ranges::find(effect.trials, parameter.key, &physics::TrialValues::parameter);
+    return found == effect.trials.end() ? nullptr : &*found;
+}
+
 /// One number of an effect at one place, at all its trial values.
 void add(std::vector<Candidate>& all, const Candidate& plain) {
-    const TrialValues* special = trial_values_of(*plain.effect, plain.number());
+    const physics::TrialValues* special = trial_values_of(*plain.effect, plain.number());
     Candidate one = plain;
     one.cause = all.empty() ? 0 : all.back().cause + 1;
     one.trial = one.absent;
@@ -350,7 +355,7 @@ std::string name_of(const Candidate& candidate, const input::Experiment& experim
     const solver::Problem& problem = experiment.runs.front().problem;
     std::string name(candidate.effect->id);
     const auto numbers = std::ranges::count_if(candidate.effect->parameters, [&](const ParameterSpec& parameter) {
-        const TrialValues* special = trial_values_of(*candidate.effect, parameter);
+        const physics::TrialValues* special = trial_values_of(*candidate.effect, parameter);
         return !std::isnan(parameter.absent) && !(special != nullptr && special->left_out);
     });
     if (numbers > 1 || candidate.on >= 0) {

@@ -16,10 +16,6 @@ namespace {
 
 using solver::FreeParameter;
 
-bool is_on(const solver::Problem& problem, std::string_view effect) {
-    return std::ranges::any_of(problem.effects, [&](const auto& active) { return active.effect->id == effect; });
-}
-
 /// Whether a number of an effect is fitted.
 bool is_free(const input::Experiment& experiment, std::string_view effect) {
     const solver::Problem& problem = experiment.runs.front().problem;
@@ -44,17 +40,13 @@ std::vector<std::string> infrared_sensors(const input::Experiment& experiment) {
     return names;
 }
 
-std::string advice_on_friction(const input::Experiment& experiment, bool is_above) {
+/// Of less heat of sliding than expected: a slow infrared sensor flattens what sliding makes. Empty where that was ruled out.
+std::string slow_sensor(const input::Experiment& experiment) {
     const std::vector<std::string> sensors = infrared_sensors(experiment);
-    if (is_above) {
-        return "more heat of sliding than the logged slip makes: slip may be logged too small or another heat follows "
-               "it; compare slip_input_gain and partition_speed";
-    }
     const bool has_lag = is_free(experiment, "sensor_lag");
     const bool has_delay = is_free(experiment, "clock_delay");
     if (sensors.empty() || (has_lag && has_delay)) {
-        return "less heat of sliding than the logged slip makes: slip may be logged too large or late; compare "
-               "slip_input_gain";
+        return "";
     }
     return fmt::format("a lag or delay of {} can do this, as it flattens what sliding makes: free {}{}{}",
                        sensors.size() == 1 ? sensors.front() : fmt::format("the {} infrared sensors", sensors.size()),
@@ -62,37 +54,25 @@ std::string advice_on_friction(const input::Experiment& experiment, bool is_abov
                        has_delay ? "" : "clock_delay.delay");
 }
 
-std::string advice_on_effect(const input::Experiment& experiment, std::string_view effect, std::string_view key,
-                             bool is_above) {
-    const solver::Problem& problem = experiment.runs.front().problem;
-    if (effect == "road_contact" && is_above && !is_on(problem, "resolved_contact") &&
-        !is_on(problem, "travelling_contact")) {
-        return "the averaged contact sheds less than the tread does: it wants a rolling contact, resolved_contact in "
-               "the place of road_contact";
+/// What the effect's own file says of a fit on that side of expectation.
+std::string advice_on_effect(const input::Experiment& experiment, const FreeParameter& parameter, bool is_above) {
+    const physics::Effect& effect = *experiment.runs.front().problem.effects[parameter.effect].effect;
+    const physics::PlausibleRange* range = physics::plausible_range(effect, parameter.parameter);
+    if (range == nullptr) {
+        return "";
     }
-    if (effect == "sliding_friction" && (key == "partition" || key.starts_with("lambda"))) {
-        return advice_on_friction(experiment, is_above);
+    if (effect.id == "sliding_friction" && !is_above) {
+        if (std::string known = slow_sensor(experiment); !known.empty()) {
+            return known;
+        }
     }
-    if (effect == "air_convection" && key != "exponent" && key != "floor") {
-        return is_above ? "the air film compensates for a missing heat path: try "
-                          "sidewall_convection, inner_gas or resolved_contact, or run diagnose"
-                        : "the air film compensates for another error of the heat balance: look at road_contact "
-                          "and at sources that are off, or run diagnose";
-    }
-    if (effect == "strain_energy_loss" && (key == "tan_delta_a" || key.starts_with("lambda"))) {
-        return is_above ? "the loss compensates for a missing heat source: try cornering_loss, drum_curvature or "
-                          "load_exponent_of_loss, or run diagnose"
-                        : "the loss compensates for a missing heat path: try "
-                          "sidewall_convection or inner_gas, or run diagnose";
-    }
-    return "";
+    return std::string(is_above ? range->advice_above : range->advice_below);
 }
 
 }  // namespace
 
 std::string advice(const input::Experiment& experiment, const FreeParameter& parameter, bool is_above,
                    const physics::PlausibleRange* range) {
-    const solver::Problem& problem = experiment.runs.front().problem;
     if (parameter.kind == FreeParameter::Kind::initial) {
         return "the run began earlier than the log, or the sensors were not at the tire's temperature: start the log "
                "before the tire rolls, or state the start by the first readings";
@@ -102,10 +82,7 @@ std::string advice(const input::Experiment& experiment, const FreeParameter& par
                "it, log wheel loads or slips, or run diagnose";
     }
     if (parameter.kind == FreeParameter::Kind::effect) {
-        const physics::ActiveEffect& active = problem.effects[parameter.effect];
-        std::string known = advice_on_effect(experiment, active.effect->id,
-                                             active.effect->parameters[parameter.parameter].key, is_above);
-        if (!known.empty()) {
+        if (std::string known = advice_on_effect(experiment, parameter, is_above); !known.empty()) {
             return known;
         }
     }

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "solver/celsius.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -33,7 +33,7 @@ std::vector<double> hottest_at(const StudyRecord& study, std::size_t point) {
     std::vector<double> found;
     for (std::size_t r = point * study.samples; r < (point + 1) * study.samples; ++r) {
         if (study.outcomes[r].ok()) {
-            found.push_back(solver::celsius(study.outcomes[r].hottest));
+            found.push_back(celsius(study.outcomes[r].hottest));
         }
     }
     std::sort(found.begin(), found.end());
@@ -49,7 +49,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 Chance passes_critical(const StudyRecord& study, std::size_t point) {
     const std::vector<double> sorted = hottest_at(study, point);
-    const auto first = std::upper_bound(sorted.begin(), sorted.end(), solver::celsius(*study.critical));
+    const auto first = std::upper_bound(sorted.begin(), sorted.end(), celsius(*study.critical));
     return chance(static_cast<std::size_t>(sorted.end() - first), sorted.size());
 }
 
@@ -82,7 +82,7 @@ std::string part_text(const StudyRecord& study, std::size_t part) {
             limits.insert(outcome.parts[part].critical);
         }
     }
-    return limits.size() == 1 ? fmt::format("{} above {:.6g} degC", study.parts[part], solver::celsius(*limits.begin()))
+    return limits.size() == 1 ? fmt::format("{} above {:.6g} degC", study.parts[part], celsius(*limits.begin()))
                               : fmt::format("{} above its critical temperature", study.parts[part]);
 }
 

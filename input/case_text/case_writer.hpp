@@ -28,7 +28,7 @@ public:
     void entry(std::string_view key, std::string_view value, std::string_view comment = {});
     /// A number in the unit of the key's description.
     void entry(std::string_view key, double value);
-    /// An entry behind a #, for the user to take away. Its meaning has the key's default, too.
+    /// A commented-out entry. Its meaning has the key's default, too.
     void suggestion(std::string_view key, std::string_view value, std::string_view comment = {});
     /// From here on tables and entries stand behind a #, or no longer do.
     void comment_out(bool on) { commented_ = on; }

@@ -108,7 +108,7 @@ RunTable read_run(TomlTable& table) {
         for (const std::string_view key : {"columns", "units", "unit_names", "ignore", "hold", "keep_suspicious",
                                            "from", "to", "laps", "repeat_first_lap", "start_line"}) {
             if (table.has(key)) {
-                table.add_error(key, fmt::format("{} speaks of a file, and the run has none", key),
+                table.add_error(key, fmt::format("{} needs a file, and the run has none", key),
                                 "add file = \"....csv\"");
             }
         }

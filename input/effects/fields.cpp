@@ -135,7 +135,7 @@ public:
         const std::optional<std::string> name = table_.text("field");
         const bool by_watts = active_.effect->field() != FieldOf::pressure && table_.choice("use") == 1U;
         if (!table_.has("field") && table_.has("use")) {
-            table_.add_error("use", "use speaks of a field, and there is none", "add field = \"....h5\"");
+            table_.add_error("use", "use needs a field, and there is none", "add field = \"....h5\"");
         }
         if (!name || problem_.mesh.n_nodes == 0) {
             return;

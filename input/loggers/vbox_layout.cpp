@@ -184,7 +184,7 @@ void take_units(VboxHead& head, std::string_view names, CsvLayout& layout) {
     }
     const std::vector<CsvLine>& section = head.sections["channel units"].lines;
     const auto dealt = deal_units(section, titled, columns.size());
-    if (!dealt) {  // whose they are nobody knows
+    if (!dealt) {  // units that match no column
         layout.description.details.push_back(
             {"Channel units", fmt::format("not taken: {} for {} columns", without_end(section).size(), titled.size())});
         return;

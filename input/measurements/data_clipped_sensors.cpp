@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Data check: sensors that stand at a rail, have two values in all, or stand still together.
+// Data check: sensors that stand at a rail, have two values in all, or are constant together.
 
 #include <algorithm>
 #include <array>
@@ -168,7 +168,7 @@ std::string find_stuck_together(const Recording& recording) {
         const std::vector<Stretch> found =
             column.value.empty() ? std::vector<Stretch>{} : stuck_together(recording, column, &sensors);
         if (!found.empty()) {
-            return fmt::format("{} stand still together, from {:.6g} s to {:.6g} s: did the logger stop?{}",
+            return fmt::format("{} are constant together, from {:.6g} s to {:.6g} s: did the logger stop?{}",
                                fmt::join(sensors, ", "), column.time[found.back().first],
                                column.time[found.back().first + found.back().length - 1], left_out(recording));
         }

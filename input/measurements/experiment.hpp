@@ -36,7 +36,7 @@ enum class ColumnKind : std::uint8_t {
     drive,                ///< what acts on the tire from outside: a throttle, a brake, the temperature of a brake disc
     temperature_of_tire,  ///< a temperature of the tire, or what moves like one: an effect of the heat
     copy,                 ///< of an input, a sensor or another column, perhaps scaled or shifted
-    result,               ///< what somebody has computed
+    result,               ///< a computed channel: a simulation or a math channel
     clock,                ///< a time, a counter, a lap's number, a distance or a coordinate
     constant              ///< it never changes
 };

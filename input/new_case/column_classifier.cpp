@@ -169,7 +169,7 @@ private:
         }
     }
 
-    /// Uses a column, unless nobody can tell its unit.
+    /// Uses a column whose unit is known.
     void take(LogColumn& column, const ColumnMeaning& meaning) {
         const UnitRead read =
             meaning.any_unit ? any_unit(column.heading) : read_heading_unit(column.heading, meaning.spec);
@@ -368,7 +368,7 @@ private:
 
     /// @param elsewhere a mesh that has a place for it; empty: that which has a sensor of this name
     [[nodiscard]] std::string no_place_for(const std::string& name, std::string_view elsewhere = "") const {
-        return fmt::format("the mesh {} has no place for {}, --mesh {} has", mesh_.name, name,
+        return fmt::format("the mesh {} cannot represent {}, --mesh {} can", mesh_.name, name,
                            elsewhere.empty() ? mesh_with(name) : elsewhere);
     }
 

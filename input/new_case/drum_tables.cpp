@@ -72,7 +72,7 @@ void write_drum_critical(CaseDraft& draft) {
     writer.remark(
         "What is not known of the tire, one standard deviation each: `tiretherm run` says what it does to the peak.");
     write_parameter(writer, "strain_energy_loss", "tan_delta_a", "0.2e15", "about 10 %");
-    write_parameter(writer, "strain_energy_loss", "belt_edge_gain", "0.3", "nobody has measured it for this tire");
+    write_parameter(writer, "strain_energy_loss", "belt_edge_gain", "0.3", "not measured for this tire");
     write_parameter(writer, "air_convection", "lambda_h", "0.1", "films are known to 10 %");
     draft.assume("critical", "110 degC", "an example; the belt's edge is assumed to lose twice as much as the rest");
     draft.assume("drive.inflation_pressure", "by the test",

@@ -80,7 +80,7 @@ void choose_use(Log& log) {
     }
     for (LogColumn& column : log.columns) {
         if (!column.corner.empty() && column.is_used()) {
-            column.drop("nothing is measured on the tires that it could be compared with");
+            column.drop("the log has no tire temperature to compare it with");
         }
     }
     log.use = std::ranges::any_of(log.columns, &LogColumn::is_input) ? LogUse::drive : LogUse::nothing;

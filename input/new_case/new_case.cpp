@@ -161,7 +161,7 @@ std::string why_unread(const Log& log) {
             : fmt::format(" ({} may be {}: {})", asked->title(), asked->full_suggestion(), asked->reason));
 }
 
-/// Says what the user will look for in vain.
+/// Reports the columns that were not used.
 void list_missing(const CaseDraft& draft) {
     const Log* log = draft.log();
     std::vector<MissingPart>& missing = draft.result.missing;

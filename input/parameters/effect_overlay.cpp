@@ -147,7 +147,7 @@ void lay_together(TomlValue& over, const solver::Problem& problem, const std::ve
 void lay_user_effect(TomlValue& over, const ActiveEffect& active, std::span<const solver::UserEffect> user_effects) {
     const auto found = std::ranges::find(user_effects, active.name, &solver::UserEffect::name);
     if (found == user_effects.end()) {
-        throw std::invalid_argument(fmt::format("nobody has said what {} follows", active.name));
+        throw std::invalid_argument(fmt::format("no signal is named that {} follows", active.name));
     }
     ParameterPath path = path_of(active, 0);
     const auto lay = [&](const char* key, TomlValue value) {

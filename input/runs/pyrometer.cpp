@@ -130,7 +130,7 @@ bool is_of_run(TomlTable& table, const RunTable& run, const std::vector<RunTable
         return false;
     }
     if (!name && names.size() > 1) {
-        table.add_error("run", "it is not said after which run the readings were taken",
+        table.add_error("run", "the run after which the readings were taken is missing",
                         fmt::format("add run = \"{}\"; the runs are {}", names.front(), listed(names)));
         return false;
     }

@@ -20,7 +20,7 @@ void warn_of_shared_numbers(const TomlValue& document, const RunsBeingRead& runs
     });
     if (numbers != nullptr && sharing > 1) {
         errors.warn(numbers->place,
-                    "the numbers of the case count in each of {} runs: give them to the run "
+                    "the [[measured]] values of the case apply to each of {} runs: give them to the run "
                     "in which they were measured",
                     sharing);
     }

@@ -28,7 +28,7 @@ void warn_of_limits(const CornerHistory& corner, const VehicleSettings& settings
     }
     if (corner.lifted > 0.0) {
         errors.warn_of_corner(settings.place, name,
-                              "the wheel is in the air in {} of the time: the other wheels carry its load",
+                              "the computed wheel load is zero in {} of the time: the other wheels carry its load",
                               percent(corner.lifted));
     }
     if (corner.rolls_over > 0.0) {

@@ -243,7 +243,7 @@ bool Reader::read_lateral() {
     if (logged.time.empty()) {
         if (yaw.empty()) {
             add_turn_error(
-                "nothing tells the turns of the car: neither lateral_acceleration nor yaw_rate nor "
+                "no cornering signal: neither lateral_acceleration nor yaw_rate nor "
                 "steering_wheel_angle nor a heading or positions is a column",
                 "rename one: columns = { AccY = \"lateral_acceleration\" }");
             return false;

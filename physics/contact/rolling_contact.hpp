@@ -22,6 +22,18 @@ inline constexpr std::array parameters{
     road_conductivity_spec,
     road_capacity_spec,
 };
+inline constexpr std::array plausible{
+    PlausibleRange{"scale", 0.0, 1.5, "contact areas are known to 20 to 30 %; recalled",
+                   "the contact is larger than stated, or another loss is missing"},
+    PlausibleRange{"interface_h", 1.2e4, 5.7e4,
+                   "Miller, NASA TN D-8161 (1976): 1.2e4 to at least 5.7e4 W/(m2 K) under a rolling car tire",
+                   "the contact area or the road's temperature is off"},
+    PlausibleRange{"road_conductivity", 0.7, 2.5, "asphalt concrete 1.2 W/(m K), 0.7 to 2.5 recalled",
+                   "no asphalt conducts like that; a steel drum does, and should be named"},
+    PlausibleRange{"road_capacity", 1.5e6, 2.5e6,
+                   "asphalt concrete 2300 kg/m3 and 900 J/(kg K), with voids and moisture; recalled",
+                   "no asphalt stores like that"},
+};
 inline constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "road_temperature"};
 
 [[nodiscard]] inline double scale_of(const ActiveEffect& active) { return active[scale]; }

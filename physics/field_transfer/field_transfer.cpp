@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/index.hpp"
 #include "physics/field_transfer/field_line.hpp"
 
 namespace tiretherm::physics {
@@ -97,8 +98,6 @@ private:
     std::vector<std::map<std::size_t, double>> has_;
     FieldTransfer transfer_;
 };
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The strip at a place of the meridian, at a border the thicker one; the end when there is none.
 std::vector<Strip>::const_iterator thickest_at(const std::vector<Strip>& strips, double y) {

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "physics/celsius.hpp"
 #include "post/page/charts.hpp"
 #include "post/page/moments.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -53,7 +53,7 @@ void add_means(std::vector<float>& celsius, const Squares& squares, const std::v
     std::vector<double> count(squares.index.size(), 0.0);
     const std::size_t pixels = squares.of_pixel.size();
     for (std::size_t p = 0; p < pixels; ++p) {
-        sum[squares.of_pixel[p]] += solver::celsius(kelvin[frame * pixels + p]);
+        sum[squares.of_pixel[p]] += celsius(kelvin[frame * pixels + p]);
         count[squares.of_pixel[p]] += 1.0;
     }
     for (std::size_t i = 0; i < sum.size(); ++i) {

@@ -63,7 +63,7 @@ Section interpretation(const DiagnosisRecord& record) {
             continue;
         }
         Section part(name_of(cause), {meaning_of(cause), cause.bound, cause.implausible});
-        for (const ConfoundedGroup* group : confounded_groups_of(cause.id)) {
+        for (const physics::ConfoundedGroup* group : confounded_groups_of(cause.id)) {
             part.say(fmt::format("Confounded with {}. What separates them: {}.", others_of(*group, cause.id),
                                  group->separated));
         }

@@ -238,7 +238,7 @@ Value page_data(const fs::path& folder, const PageCharts& page, const std::vecto
                {"charts", std::move(charts)},
                {"outputs", std::move(outputs)}};
     if (const std::string sentence = not_drawn(page, pictures); !sentence.empty()) {
-        data.set({{"error", sentence}, {"mistakes", Value::List{}}});
+        data.set({{"error", sentence}, {"errors", Value::List{}}, {"mistakes", Value::List{}}});
     }
     return data;
 }

@@ -86,6 +86,12 @@ void Hdf5File::add_group(const std::string& path) {
     const Scoped group(check(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, list, H5P_DEFAULT), "write " + path + " to"));
 }
 
+void Hdf5File::add_link(const std::string& path, const std::string& target) {
+    const input::LibraryTurn turn;
+    check(H5Lcreate_hard(file_, target.c_str(), file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+          "write " + path + " to");
+}
+
 void Hdf5File::attach(Handle object, const std::string& name, const std::string& value) {
     const Scoped type(string_type());
     const Scoped space(H5Screate(H5S_SCALAR));

@@ -34,6 +34,8 @@ public:
     Hdf5File& operator=(const Hdf5File&) = delete;
 
     void add_group(const std::string& path);
+    /// Another name of a group or dataset that there is.
+    void add_link(const std::string& path, const std::string& target);
     void add_attribute(const std::string& object, const std::string& name, const std::string& value);
     void add_attribute(const std::string& object, const std::string& name, double value);
 

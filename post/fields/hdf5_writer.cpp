@@ -81,8 +81,9 @@ void Hdf5Writer::write_mesh() {
         lumped_node_names.push_back(node.name);
     }
     if (!lumped_node_names.empty()) {
-        file_.write("/mesh/appended_name", lumped_node_names,
+        file_.write("/mesh/lumped_node_name", lumped_node_names,
                     label("1", "names of the last nodes, which are no places"));
+        file_.add_link("/mesh/appended_name", "/mesh/lumped_node_name");  // its name before 0.3
     }
     file_.write("/mesh/point", coordinates(mesh.drawing.points), 3, label("m", "corner points for drawing, z upwards"));
     file_.write("/mesh/corners", mesh.drawing.corners,
@@ -107,22 +108,23 @@ void Hdf5Writer::add_columns() {
                    label(std::string(solver::unit_of(channel.quantity)).c_str(), meaning, "/channels/time")));
     }
 
-    file_.add_group("/ledger");
-    file_.add_attribute("/ledger", "symmetry", problem_.symmetry);
+    file_.add_group("/heat_budget");
+    file_.add_link("/ledger", "/heat_budget");  // its name before 0.3
+    file_.add_attribute("/heat_budget", "symmetry", problem_.symmetry);
     std::vector<std::string> effects;
     for (const physics::ActiveEffect& active : problem_.effects) {
         effects.emplace_back(active.title());
     }
-    file_.write("/ledger/effect", effects, label("1", "name of each effect", ""));
+    file_.write("/heat_budget/effect", effects, label("1", "name of each effect", ""));
     const std::string whole = "the whole specimen, positive into it";
-    ledger_.push_back(
-        column("/ledger/watts", effects.size(),
-               label("W", "heat attributed to each effect, of " + whole, "/channels/time /ledger/effect")));
-    ledger_.push_back(
-        column("/ledger/joules", effects.size(),
-               label("J", "heat of each effect since the start, of " + whole, "/channels/time /ledger/effect")));
-    ledger_.push_back(
-        column("/ledger/stored", 0, label("J", "heat stored since the start in " + whole, "/channels/time")));
+    heat_budget_.push_back(
+        column("/heat_budget/watts", effects.size(),
+               label("W", "heat attributed to each effect, of " + whole, "/channels/time /heat_budget/effect")));
+    heat_budget_.push_back(
+        column("/heat_budget/joules", effects.size(),
+               label("J", "heat of each effect since the start, of " + whole, "/channels/time /heat_budget/effect")));
+    heat_budget_.push_back(
+        column("/heat_budget/stored", 0, label("J", "heat stored since the start in " + whole, "/channels/time")));
 
     file_.add_group("/field");
     field_.push_back(column("/field/time", 0, label("s", "time of each stored field", "")));
@@ -136,10 +138,10 @@ void Hdf5Writer::take(const solver::Snapshot& snapshot) {
         channels_[c + 1].waiting.push_back(snapshot.channels[c]);
     }
     for (std::size_t e = 0; e < problem_.effects.size(); ++e) {
-        ledger_[0].waiting.push_back(problem_.symmetry * snapshot.watts[e]);
-        ledger_[1].waiting.push_back(problem_.symmetry * snapshot.joules[e]);
+        heat_budget_[0].waiting.push_back(problem_.symmetry * snapshot.watts[e]);
+        heat_budget_[1].waiting.push_back(problem_.symmetry * snapshot.joules[e]);
     }
-    ledger_[2].waiting.push_back(problem_.symmetry * snapshot.stored);
+    heat_budget_[2].waiting.push_back(problem_.symmetry * snapshot.stored);
     if (snapshot.field) {
         field_[0].waiting.push_back(snapshot.time);
         field_[1].waiting.assign(snapshot.temperature.begin(), snapshot.temperature.end());
@@ -150,7 +152,7 @@ void Hdf5Writer::take(const solver::Snapshot& snapshot) {
 }
 
 void Hdf5Writer::flush() {
-    for (std::vector<Column>* group : {&channels_, &ledger_, &field_}) {
+    for (std::vector<Column>* group : {&channels_, &heat_budget_, &field_}) {
         for (Column& column : *group) {
             file_.append(column.rows, column.waiting);
             column.waiting.clear();

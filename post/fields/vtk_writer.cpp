@@ -24,9 +24,9 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include "physics/celsius.hpp"
 #include "post/fields/field_view.hpp"
 #include "post/report/file.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -180,13 +180,13 @@ void VtkWriter::write(double time, std::span<const double> temperature) {
     hottest_time_ = end_ = time;  // until the run says otherwise
     for (std::size_t cell = 0; cell < whole_.cell.size(); ++cell) {
         grid_->in_cells->SetValue(static_cast<vtkIdType>(cell),
-                                  see(solver::celsius(temperature[static_cast<std::size_t>(whole_.cell[cell])])));
+                                  see(celsius(temperature[static_cast<std::size_t>(whole_.cell[cell])])));
     }
     if (drawn_.exists()) {
         const std::vector<double> at_points = drawn_.at_points(temperature);
         for (std::size_t point = 0; point < whole_.point.size(); ++point) {
             grid_->in_points->SetValue(static_cast<vtkIdType>(point),
-                                       see(solver::celsius(at_points[static_cast<std::size_t>(whole_.point[point])])));
+                                       see(celsius(at_points[static_cast<std::size_t>(whole_.point[point])])));
         }
     }
     grid_->time->SetValue(0, time);
@@ -209,7 +209,7 @@ void VtkWriter::take_hottest(double time, std::span<const double> temperature) {
     end_ = end;
     hottest_time_ = time;
     // The peak lies between the centres of cells.
-    high_ = std::max(high_, solver::celsius(finder_.find(temperature).temperature));
+    high_ = std::max(high_, celsius(finder_.find(temperature).temperature));
 }
 
 void VtkWriter::finish() {

@@ -9,14 +9,14 @@
 #include <numeric>
 #include <span>
 
+#include "mesh/index.hpp"
+
 namespace tiretherm::post {
 
 namespace {
 
 using mesh::CellShape;
 using mesh::Point;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool is_round(const mesh::Mesh& mesh) { return mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric; }
 

@@ -3,10 +3,10 @@
 #include <limits>
 
 #include "mesh/place.hpp"
+#include "physics/celsius.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
 #include "post/report/csv.hpp"
 #include "post/report/file.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -32,13 +32,13 @@ void write_hot_spots_csv(const std::filesystem::path& path, const HotSpots& hot_
             const solver::HotSpotFinder::Found& found = spot.history.found(row);
             const mesh::Place place = mesh::place_of(problem.mesh, found.node);
             const double unknown = std::numeric_limits<double>::quiet_NaN();
-            csv.add(Decimals{solver::celsius(found.temperature), 4});
+            csv.add(Decimals{celsius(found.temperature), 4});
             csv.add(Decimals{spot.history.critical().temperature - found.temperature, 4});
             csv.add(place.layer);
             csv.add(place.zone);
             csv.add(Decimals{place.position ? 1e3 * found.point[0] : unknown, 3});
             csv.add(Decimals{place.position ? 1e3 * found.point[2] : unknown, 3});
-            csv.add(Decimals{solver::celsius(spot.history.surface()[row]), 4});
+            csv.add(Decimals{celsius(spot.history.surface()[row]), 4});
         }
         csv.end_row();
     }

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "mesh/place.hpp"
+#include "physics/celsius.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
 #include "post/page/charts.hpp"
 #include "post/report/number_text.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -23,12 +23,12 @@ std::string minutes(double seconds) { return fmt::format("{:.1f} min", seconds /
 /// Of a lag, which may be short.
 std::string span(double seconds) { return seconds < 120.0 ? fmt::format("{:.0f} s", seconds) : minutes(seconds); }
 
-std::string degrees(double kelvin) { return std::isnan(kelvin) ? "-" : fmt::format("{:.1f}", solver::celsius(kelvin)); }
+std::string degrees(double kelvin) { return std::isnan(kelvin) ? "-" : fmt::format("{:.1f}", celsius(kelvin)); }
 
 std::string kmh(double metres_per_second) { return fmt::format("{:.0f}", 3.6 * metres_per_second); }
 
 /// degC; a dash, and null, where nobody knows.
-Cell celsius(double kelvin) { return shown("{:.1f}", solver::celsius(kelvin)); }
+Cell celsius_cell(double kelvin) { return shown("{:.1f}", celsius(kelvin)); }
 
 /// Where the hot spot is, between the cells.
 std::string place_text(const solver::HotSpotFinder::Found& found, const mesh::Mesh& mesh) {
@@ -60,10 +60,10 @@ DataTable steps(const HotSpots& all, const HotSpot& spot) {
                    {"km/h", "speed", {3.6 * step.speed, speed}},
                    {"N", "vertical_load", shown("{:.0f}", step.load)},
                    page_only("min", shown("{:.4g}", step.duration() / 60.0)),
-                   {"at its end", "hottest_at_end", celsius(spot.at_end[s].hottest)},
-                   {"steady state", "hottest_steady", celsius(spot.steady[s].hottest)},
-                   {"surface at its end", "surface_at_end", celsius(spot.at_end[s].surface)},
-                   {"steady state", "surface_steady", celsius(spot.steady[s].surface)}});
+                   {"at its end", "hottest_at_end", celsius_cell(spot.at_end[s].hottest)},
+                   {"steady state", "hottest_steady", celsius_cell(spot.steady[s].hottest)},
+                   {"surface at its end", "surface_at_end", celsius_cell(spot.at_end[s].surface)},
+                   {"steady state", "surface_steady", celsius_cell(spot.steady[s].surface)}});
     }
     return table;
 }
@@ -169,7 +169,7 @@ Value moment(const TestMoment& moment) {
                {"speed", 3.6 * moment.speed},
                {"speed_unit", "km/h"},
                {"vertical_load", moment.load},
-               {"surface", solver::celsius(moment.surface)}};
+               {"surface", celsius(moment.surface)}};
     if (moment.step) {
         data.set({{"step", moment.step->number},
                   {"ramp", moment.step->ramp},
@@ -183,7 +183,7 @@ Value moment(const std::optional<TestMoment>& one) { return one ? moment(*one) :
 Value surface(const HotSpot& spot) {
     const bool both = spot.passing && !std::isnan(spot.surface_time);
     return {{"reading", spot.history.critical().surface_name},
-            {"threshold", solver::celsius(spot.surface_threshold)},
+            {"threshold", celsius(spot.surface_threshold)},
             {"time", spot.surface_time},
             {"lag", both ? Value(spot.surface_time - spot.passing->time) : Value()}};
 }
@@ -202,7 +202,7 @@ Value uncertainty(const HotSpot& spot) {
     if (!spot.spread) {
         return {};
     }
-    return {{"mean", solver::celsius(spot.spread->mean)},
+    return {{"mean", celsius(spot.spread->mean)},
             {"standard_deviation", spot.spread->standard_deviation},
             {"chance_above_critical", spot.spread->chance_above(spot.history.critical().temperature)},
             {"drivers", drivers(*spot.spread).data()}};
@@ -222,7 +222,7 @@ void add_history_chart(Section& section, const HotSpots& hot_spots) {
     const auto add = [&](const std::string& name, const std::string& group, CurveRole role,
                          const std::vector<double>& kelvin) {
         if (drawn.insert(name).second) {
-            chart.add_curve(name, group, role, t, converted(kelvin, solver::celsius));
+            chart.add_curve(name, group, role, t, converted(kelvin, celsius));
         }
     };
     for (const HotSpot& spot : hot_spots.spots) {
@@ -231,8 +231,8 @@ void add_history_chart(Section& section, const HotSpots& hot_spots) {
         if (!critical.surface_name.empty()) {
             add(critical.surface_name, critical.name, CurveRole::dashed, spot.history.surface());
         }
-        chart.add_level(fmt::format("{}: critical {:.6g} °C", critical.name, solver::celsius(critical.temperature)),
-                        solver::celsius(critical.temperature));
+        chart.add_level(fmt::format("{}: critical {:.6g} °C", critical.name, celsius(critical.temperature)),
+                        celsius(critical.temperature));
     }
     section.chart("Hot spots against time", "Solid: the hottest place; dashed: the surface above it.", chart.data());
 }
@@ -276,9 +276,9 @@ Value hot_spots_data(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
         const Value position{{"along", 1e3 * found.point[0]}, {"depth", 1e3 * found.point[2]}, {"unit", "mm"}};
         list.push_back({{"name", critical.name},
                         {"part", critical.part},
-                        {"critical", solver::celsius(critical.temperature)},
+                        {"critical", celsius(critical.temperature)},
                         {"unit", "degC"},
-                        {"hottest", solver::celsius(spot.hottest.temperature)},
+                        {"hottest", celsius(spot.hottest.temperature)},
                         {"margin", critical.temperature - spot.hottest.temperature},
                         {"layer", place.layer},
                         {"zone", text_or_null(place.zone)},

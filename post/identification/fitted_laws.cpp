@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "physics/celsius.hpp"
 #include "post/report/csv.hpp"
 #include "post/report/number_text.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -113,7 +113,7 @@ FittedLaws fitted_laws(const IdentificationRecord& record) {
     std::vector<double> kelvin;
     for (int i = 0; i < points; ++i) {
         kelvin.push_back(low + (high - low) * i / (points - 1));
-        found.celsius.push_back(solver::celsius(kelvin.back()));
+        found.celsius.push_back(celsius(kelvin.back()));
     }
     const Simulator simulator(record.experiment, record.observations);
     const solver::Problem before = simulator.problem(0, simulator.start());

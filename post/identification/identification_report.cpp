@@ -116,7 +116,7 @@ Section numbers(const IdentificationRecord& record, DataTable table) {
                   "not determined: the data do not see it and nothing was known before; the value is where the search "
                   "ended and means nothing."),
         std::pair(Identifiability::at_bound,
-                  "at bound: the data want a value beyond what is allowed; a finding about the model.")};
+                  "at bound: the data favour a value beyond the bound; a finding about the model.")};
     for (const auto& [identifiability, meaning] : meanings) {
         if (std::ranges::count(fitted, identifiability, &Fitted::identifiability) > 0) {
             section.say(meaning);

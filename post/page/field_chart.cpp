@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "mesh/ring.hpp"
+#include "physics/celsius.hpp"
 #include "post/page/charts.hpp"
 #include "post/report/number_text.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -283,7 +283,7 @@ Moment FieldFrames::of_plane(double time, std::span<const double> temperature) c
     for (int k = 0; k < grid.size(2); ++k) {
         for (int i = 0; i < grid.size(0); ++i) {
             const double kelvin = temperature[static_cast<std::size_t>(grid.cell(i, row, k))];
-            moment.celsius.push_back(static_cast<float>(solver::celsius(kelvin)));
+            moment.celsius.push_back(static_cast<float>(celsius(kelvin)));
         }
     }
     const auto cell = static_cast<std::size_t>(std::ranges::max_element(moment.celsius) - moment.celsius.begin());
@@ -291,8 +291,7 @@ Moment FieldFrames::of_plane(double time, std::span<const double> temperature) c
         return mm(0.5 * (grid.edge[side][i] + grid.edge[side][i + 1]));
     };
     const auto width = static_cast<std::size_t>(grid.size(0));
-    moment.mark = {middle(0, cell % width), middle(2, cell / width),
-                   solver::celsius(finder_.find(temperature).temperature)};
+    moment.mark = {middle(0, cell % width), middle(2, cell / width), celsius(finder_.find(temperature).temperature)};
     return moment;
 }
 
@@ -307,12 +306,12 @@ Moment FieldFrames::of_section(double time, std::span<const double> temperature)
         for (std::size_t i = 0; i < 4; ++i) {
             sum += at_corners[section_shape_->corner(cell, i)];
         }
-        moment.celsius.push_back(static_cast<float>(solver::celsius(0.25 * sum)));
+        moment.celsius.push_back(static_cast<float>(celsius(0.25 * sum)));
     }
     const solver::HotSpotFinder::Found hottest = section_shape_->hottest(kelvin);
     const FoldedSection::Place at =
         section_shape_->place(hottest.point[0], hottest.point[2]).value_or(FoldedSection::Place{});
-    moment.mark = {mm(at[0]), mm(at[1]), solver::celsius(hottest.temperature)};
+    moment.mark = {mm(at[0]), mm(at[1]), celsius(hottest.temperature)};
     return moment;
 }
 
@@ -349,13 +348,12 @@ Value::List FieldFrames::spots(const diagnosis::HotSpots& hot_spots, const std::
             row -= row > 0 && moment.time - time[row - 1] < time[row] - moment.time ? 1 : 0;
             const solver::HotSpotFinder::Found& found = spot.history.found(row);
             const auto at = section_shape_->place(found.point[0], found.point[2]);
-            places.push_back(
-                at ? Value(Value::List{mm((*at)[0]), mm((*at)[1]), rounded(solver::celsius(found.temperature), 7)})
-                   : Value());
+            places.push_back(at ? Value(Value::List{mm((*at)[0]), mm((*at)[1]), rounded(celsius(found.temperature), 7)})
+                                : Value());
         }
         const solver::Critical& critical = spot.history.critical();
         list.emplace_back(Value{{"name", critical.name},
-                                {"critical", rounded(solver::celsius(critical.temperature), 7)},
+                                {"critical", rounded(celsius(critical.temperature), 7)},
                                 {"at", std::move(places)}});
     }
     return list;

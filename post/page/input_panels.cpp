@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "solver/celsius.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -78,7 +78,7 @@ solver::ShownUnit shown_unit(const physics::Signal& signal) {
         return {"kPa", 1e-3};
     }
     if (signal.unit == "K") {
-        return {"°C", 1.0, solver::zero_celsius};
+        return {"°C", 1.0, zero_celsius};
     }
     return {signal.unit == "1" ? "" : signal.unit.data()};
 }

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "mesh/ring.hpp"
+#include "physics/celsius.hpp"
 #include "physics/contact/travelling.hpp"
 #include "post/page/charts.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -48,7 +48,7 @@ Value contact_at(const solver::Problem& problem, double time) {
 Moment TreadFrames::moment_of(double time, std::span<const double> temperature) const {
     Moment moment{.time = time, .celsius = {}, .mark = {}};
     for (const mesh::PatchFace& face : faces_of(problem_->mesh)) {
-        moment.celsius.push_back(static_cast<float>(solver::celsius(temperature[static_cast<std::size_t>(face.node)])));
+        moment.celsius.push_back(static_cast<float>(celsius(temperature[static_cast<std::size_t>(face.node)])));
     }
     return moment;
 }

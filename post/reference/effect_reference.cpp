@@ -92,10 +92,7 @@ DataTable parameters_of(const physics::Effect& effect) {
 /// Of "conduction" those of material laws.
 DataTable ranges_of(const physics::Effect& effect) {
     DataTable table;
-    for (const physics::PlausibleRange& range : physics::plausible_ranges()) {
-        if (range.effect != effect.id) {
-            continue;
-        }
+    for (const physics::PlausibleRange& range : effect.plausible) {
         const std::string_view sensor = physics::name_of(range.sensor);
         const std::string parameter = fmt::format("{}{}{}", range.parameter == "*" ? "each" : range.parameter,
                                                   sensor.empty() ? "" : ", ", sensor);

@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 #include "input/text/characters.hpp"
+#include "physics/celsius.hpp"
 #include "post/report/table.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -71,7 +71,7 @@ std::string progress_line(const std::string& name, const Advance& advance) {
         line += fmt::format("  about {} left", duration(advance.elapsed * (whole - done) / done));
     }
     line += fmt::format("  t = {:.0f} s of {:.0f} s  hottest {:.1f} °C", advance.time, advance.end,
-                        solver::celsius(advance.hottest));
+                        celsius(advance.hottest));
     if (done > 0.0) {
         line += fmt::format("  {} x real time", grouped(done / advance.elapsed));
     }

@@ -9,12 +9,12 @@
 
 #include "diagnosis/study/study_record.hpp"
 #include "mesh/place.hpp"
+#include "physics/celsius.hpp"
 #include "post/laps/heat_by_lap.hpp"
 #include "post/page/page_origin.hpp"
 #include "post/report/csv.hpp"
 #include "post/report/file.hpp"
 #include "post/run/run_sections.hpp"
-#include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
 #include "solver/compared_ranges.hpp"
 
@@ -44,7 +44,7 @@ std::string hottest_of(const RunRecord& run, bool is_first) {
     const std::optional<NearestSpot> spot = nearest_spot(run);
     const char* first = spot ? ", nearest of the tires to a critical temperature" : ", hottest of the tires";
     return fmt::format("{}{}: {}{:.1f} degC, {}, at {:.6g} s.", run.corner, is_first ? first : "",
-                       spot ? spot->verdict + "; hottest " : "", solver::celsius(hottest.temperature),
+                       spot ? spot->verdict + "; hottest " : "", celsius(hottest.temperature),
                        mesh::describe_place(run.problem.mesh, hottest.node), hottest.time);
 }
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "physics/celsius.hpp"
 #include "post/page/charts.hpp"
 #include "post/page/input_panels.hpp"
 #include "post/run/run_sections.hpp"
-#include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
@@ -59,10 +59,10 @@ void add_measured(LineChart& chart, const RunRecord& run, std::size_t channel, c
 void add_hot_spots(LineChart& chart, const diagnosis::HotSpots& hot_spots, const TimeUnit& time) {
     for (const diagnosis::HotSpot& spot : hot_spots.spots) {
         const solver::Critical& critical = spot.history.critical();
-        const double level = solver::celsius(critical.temperature);
+        const double level = celsius(critical.temperature);
         chart.add_curve("hottest, " + critical.name, critical.name, CurveRole::dashed,
                         scaled(spot.history.time(), 1.0 / time.seconds),
-                        converted(spot.history.temperature(), solver::celsius));
+                        converted(spot.history.temperature(), celsius));
         chart.add_level(fmt::format("{}: critical {:.5g} °C", critical.name, level), level);
         if (spot.passing) {
             std::string text = fmt::format("{} passes {:.5g} °C: {:.4g} {}", critical.name, level,

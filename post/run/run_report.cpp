@@ -11,6 +11,7 @@
 
 #include "input/text/word_lists.hpp"
 #include "mesh/place.hpp"
+#include "physics/celsius.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
 #include "post/laps/heat_by_lap.hpp"
 #include "post/page/charts.hpp"
@@ -18,7 +19,6 @@
 #include "post/report/number_text.hpp"
 #include "post/run/measured_values.hpp"
 #include "post/run/run_sections.hpp"
-#include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
 #include "solver/compared_ranges.hpp"
 
@@ -42,7 +42,7 @@ DataTable extremes(const RunRecord& run) {
     DataTable table;
     const auto add = [&](const char* name, const solver::Report::Extreme& extreme) {
         if (extreme.node >= 0) {
-            const std::string degrees = with_decimals(solver::celsius(extreme.temperature), 2) + " degC";
+            const std::string degrees = with_decimals(celsius(extreme.temperature), 2) + " degC";
             table.add({page_only("", name), page_only("", right(degrees)),
                        page_only("", fmt::format("at {:.6g} s", extreme.time)),
                        page_only("", mesh::describe_place(run.problem.mesh, extreme.node))});
@@ -87,7 +87,7 @@ Value extreme(const RunRecord& run, const solver::Report::Extreme& found) {
         const auto [x, y, depth] = *place.position;
         position = {{"x", 1e3 * x}, {"y", 1e3 * y}, {"depth", 1e3 * depth}, {"unit", "mm"}};
     }
-    return {{"temperature", solver::celsius(found.temperature)},
+    return {{"temperature", celsius(found.temperature)},
             {"unit", "degC"},
             {"time", found.time},
             {"layer", place.layer},
@@ -132,7 +132,7 @@ void add_results(Report& page, const RunRecord& run) {
         nothing.say(fmt::format(
             "No valid results: temperatures reached {:.3g} degC, beyond the range of all laws of a tire. What the rows "
             "have up to there is in channels.csv and results.h5. Look for a power, a film or a time in the wrong unit",
-            solver::celsius(run.report.hottest.temperature)));
+            celsius(run.report.hottest.temperature)));
         page.sections.push_back(std::move(nothing));
     } else {
         page.add(std::move(section));
@@ -191,17 +191,17 @@ std::string measured_sentence(const RunRecord& run) {
 /// Whether a hot spot passes its critical temperature, and how sure that is.
 std::string spot_verdict(const diagnosis::HotSpot& spot) {
     const solver::Critical& critical = spot.history.critical();
-    const double level = solver::celsius(critical.temperature);
+    const double level = celsius(critical.temperature);
     std::string text;
     if (spot.spread) {
         const double above = spot.spread->chance_above(critical.temperature);
         text = fmt::format("{} {:.1f} +- {:.1f} degC: {} its critical {:.5g} degC with a probability of {:.0f} %",
-                           critical.name, solver::celsius(spot.spread->mean), spot.spread->standard_deviation,
+                           critical.name, celsius(spot.spread->mean), spot.spread->standard_deviation,
                            above > 0.5 ? "above" : "below", level, 100.0 * std::max(above, 1.0 - above));
         text += spot.passing ? "; it passes " + moment_text(*spot.passing) : "";
     } else {
         const double peak = spot.hottest.temperature;
-        text = fmt::format("{} comes to {:.1f} degC ", critical.name, solver::celsius(peak));
+        text = fmt::format("{} comes to {:.1f} degC ", critical.name, celsius(peak));
         text += spot.passing ? fmt::format("and passes its critical {:.5g} degC {}", level, moment_text(*spot.passing))
                              : fmt::format("and stays {:.1f} K below its critical {:.5g} degC",
                                            critical.temperature - peak, level);
@@ -228,7 +228,7 @@ std::vector<std::string> verdict_of(const RunRecord& run, const solver::Extrapol
         std::ranges::move(extrapolations.headline(), std::back_inserter(verdict));
     }
     verdict.push_back(fmt::format(
-        "Hottest: {:.1f} degC in {}{}.", solver::celsius(hottest.temperature), where,
+        "Hottest: {:.1f} degC in {}{}.", celsius(hottest.temperature), where,
         run.problem.settings.steady ? "" : fmt::format(", after {:.4g} {}", hottest.time / unit.seconds, unit.name)));
     if (std::string measured = measured_sentence(run); !measured.empty()) {
         verdict.push_back(std::move(measured));
@@ -300,7 +300,7 @@ Report run_report(const RunRecord& run) {
     page.add("Cite", "sources", run.problem.sources);
     page.add(run.files);
     if (!report.status.ok()) {
-        page.data.set({{"error", report.status.message}, {"mistakes", Value::List{}}});
+        page.data.set({{"error", report.status.message}, {"errors", Value::List{}}, {"mistakes", Value::List{}}});
     }
     return page;
 }

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "diagnosis/study/study_statistics.hpp"
+#include "physics/celsius.hpp"
 #include "post/page/charts.hpp"
 #include "post/study/study_axis.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -67,9 +67,7 @@ std::vector<double> column(const Curve& curve, std::size_t index) {
     return values;
 }
 
-std::string level_name(const StudyRecord& study) {
-    return fmt::format("critical {:.5g} °C", solver::celsius(*study.critical));
-}
+std::string level_name(const StudyRecord& study) { return fmt::format("critical {:.5g} °C", celsius(*study.critical)); }
 
 /// Equal steps from a round temperature on. degC
 struct Bins {
@@ -120,19 +118,19 @@ Section distribution(const StudyRecord& study) {
     double low = edges.front();
     double high = edges.back();
     if (study.critical) {
-        low = std::min(low, solver::celsius(*study.critical) - bins.step);
-        high = std::max(high, solver::celsius(*study.critical) + bins.step);
+        low = std::min(low, celsius(*study.critical) - bins.step);
+        high = std::max(high, celsius(*study.critical) + bins.step);
     }
     LineChart chart("hottest temperature", "°C", low, high);
     chart.add_panel("samples", "");
     chart.add_band("samples", "samples", edges, std::vector<double>(edges.size(), 0.0), counts);
     if (study.critical) {
-        add_upright(chart, level_name(study), solver::celsius(*study.critical), *std::ranges::max_element(counts));
+        add_upright(chart, level_name(study), celsius(*study.critical), *std::ranges::max_element(counts));
     }
     chart.add_panel("share that stays below", "%");
     chart.add_curve("share of the samples", "samples", CurveRole::line, hottest, share);
     if (study.critical) {
-        add_upright(chart, level_name(study), solver::celsius(*study.critical), 100.0);
+        add_upright(chart, level_name(study), celsius(*study.critical), 100.0);
     }
     std::string caption =
         fmt::format("{} samples: half lie below {:.1f} °C, nine tenths from {:.1f} to {:.1f} °C.", hottest.size(),
@@ -140,7 +138,7 @@ Section distribution(const StudyRecord& study) {
     if (study.critical) {
         const Chance c = passes_critical(study, 0);
         caption += fmt::format(" {} of {} pass {:.6g} °C: {:.1f} %, 95 % interval {:.1f} to {:.1f} %.", c.times, c.of,
-                               solver::celsius(*study.critical), 100.0 * c.share, 100.0 * c.low, 100.0 * c.high);
+                               celsius(*study.critical), 100.0 * c.share, 100.0 * c.low, 100.0 * c.high);
     }
     section.chart("Distribution of the hottest temperature", caption, chart.data());
     return section;
@@ -176,7 +174,7 @@ Section study_chart_section(const StudyRecord& study) {
         chart.add_curve(curve.name, curve.name, CurveRole::points, column(curve, 0), column(curve, 1));
     }
     if (study.critical) {
-        chart.add_level(level_name(study), solver::celsius(*study.critical));
+        chart.add_level(level_name(study), celsius(*study.critical));
     }
     std::string caption;
     if (!others.empty()) {

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "physics/celsius.hpp"
 #include "post/report/csv.hpp"
 #include "post/study/study_tables.hpp"
-#include "solver/celsius.hpp"
 #include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
@@ -35,7 +35,7 @@ std::vector<std::string> headings(const StudyRecord& study) {
 
 void add_outcome(Csv& csv, const StudyRecord& study, const StudyOutcome& run) {
     csv.add("ok");
-    csv.add(Decimals{solver::celsius(run.hottest), 4});
+    csv.add(Decimals{celsius(run.hottest), 4});
     csv.add(Digits{run.hottest_time, 6});
     csv.add(run.hottest_layer);
     csv.add(run.hottest_zone);
@@ -46,8 +46,8 @@ void add_outcome(Csv& csv, const StudyRecord& study, const StudyOutcome& run) {
         }
     }
     for (const StudyOutcome::Part& part : run.parts) {
-        csv.add(Decimals{solver::celsius(part.hottest), 4});
-        csv.add(Decimals{solver::celsius(part.critical), 4});
+        csv.add(Decimals{celsius(part.hottest), 4});
+        csv.add(Decimals{celsius(part.critical), 4});
     }
     csv.add(fmt::format("{:.2e}", run.energy_closure));
     csv.add(run.steps);

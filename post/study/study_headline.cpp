@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "diagnosis/study/study_statistics.hpp"
+#include "physics/celsius.hpp"
 #include "post/study/study_sections.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -44,8 +44,8 @@ std::string of_samples(const StudyRecord& study, std::size_t point) {
     }
     const Chance passes = passes_critical(study, point);
     return fmt::format("{} % of {} pass {:.6g} degC ({} to {} %); {}", percent(passes.share),
-                       plural(passes.of, "sample"), solver::celsius(*study.critical), percent(passes.low),
-                       percent(passes.high), spread);
+                       plural(passes.of, "sample"), celsius(*study.critical), percent(passes.low), percent(passes.high),
+                       spread);
 }
 
 std::string of_grid(const StudyRecord& study, std::size_t coldest, std::size_t hottest) {
@@ -56,9 +56,8 @@ std::string of_grid(const StudyRecord& study, std::size_t coldest, std::size_t h
     if (study.critical) {
         const auto passing = std::ranges::count_if(
             study.outcomes, [&](const StudyOutcome& run) { return run.ok() && run.hottest > *study.critical; });
-        text =
-            fmt::format("{} of {} pass {:.6g} degC. ", passing,
-                        plural(study.outcomes.size() - study.failed().size(), "run"), solver::celsius(*study.critical));
+        text = fmt::format("{} of {} pass {:.6g} degC. ", passing,
+                           plural(study.outcomes.size() - study.failed().size(), "run"), celsius(*study.critical));
     }
     return fmt::format("{}Hottest: {}; coldest: {}.", text, at(hottest), at(coldest));
 }

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "diagnosis/study/study_statistics.hpp"
+#include "physics/celsius.hpp"
 #include "post/page/cell_chart.hpp"
 #include "post/page/charts.hpp"
 #include "post/study/study_axis.hpp"
 #include "post/study/study_chart.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -61,7 +61,7 @@ std::vector<MapCell> cells_at(const StudyRecord& study, std::size_t side_x, std:
                                  .y_from = up[j],
                                  .y_to = up[j + 1],
                                  .value = median,
-                                 .is_marked = study.critical && median > solver::celsius(*study.critical)});
+                                 .is_marked = study.critical && median > celsius(*study.critical)});
             }
         }
     }
@@ -114,7 +114,7 @@ void add_study_maps(Section& section, const StudyRecord& study) {
                                                : std::string("A cell is a run");
         caption += "; where there is none, the run failed.";
         if (study.critical) {
-            caption += fmt::format(" Framed: above the critical {:.6g} °C.", solver::celsius(*study.critical));
+            caption += fmt::format(" Framed: above the critical {:.6g} °C.", celsius(*study.critical));
         }
         if (more) {
             caption += " Other values of what else is varied are not drawn.";

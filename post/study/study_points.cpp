@@ -4,8 +4,8 @@
 
 #include "diagnosis/study/study_drivers.hpp"
 #include "diagnosis/study/study_statistics.hpp"
+#include "physics/celsius.hpp"
 #include "post/study/study_sections.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -34,7 +34,7 @@ Value drivers_data(const StudyRecord& study, const StudyRegression& line) {
     if (!line.exists()) {
         return {};
     }
-    return {{"mean", solver::celsius(line.mean)},
+    return {{"mean", celsius(line.mean)},
             {"standard_deviation", line.standard_deviation},
             {"residual", line.residual},
             {"r_squared", line.r_squared},
@@ -70,7 +70,7 @@ std::string median_text(const std::vector<double>& hottest) {
 DataTable study_points(const StudyRecord& study) {
     const bool sampled = study.is_sampled;
     const std::string above =
-        sampled && study.critical ? fmt::format("above {:.6g} degC", solver::celsius(*study.critical)) : "";
+        sampled && study.critical ? fmt::format("above {:.6g} degC", celsius(*study.critical)) : "";
     DataTable table;
     for (std::size_t point = 0; point < study.points(); ++point) {
         const std::vector<double> hottest = hottest_at(study, point);
@@ -124,12 +124,12 @@ Section drivers_section(const StudyRecord& study) {
         std::string worth = fmt::format(
             "a linear function of these explains {:.1f} % of the variance (R2); it is {:.1f} +- {:.1f} degC (one "
             "standard deviation), and leaves {:.2f} K over",
-            100.0 * line.r_squared, solver::celsius(line.mean), line.standard_deviation, line.residual);
+            100.0 * line.r_squared, celsius(line.mean), line.standard_deviation, line.residual);
         if (study.critical) {
             worth += fmt::format(
                 "; a normal distribution of this mean and of both deviations passes {:.6g} degC with a probability "
                 "of {:.1f} %",
-                solver::celsius(*study.critical), 100.0 * line.chance_above(*study.critical));
+                celsius(*study.critical), 100.0 * line.chance_above(*study.critical));
         }
         section.say(std::move(worth));
     }

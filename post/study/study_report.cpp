@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "diagnosis/study/study_statistics.hpp"
+#include "physics/celsius.hpp"
 #include "post/study/study_chart.hpp"
 #include "post/study/study_sections.hpp"
-#include "solver/celsius.hpp"
 
 namespace tiretherm::post {
 
@@ -41,7 +41,7 @@ Value run_data(const StudyRecord& study, std::size_t run) {
         data.set("error", outcome.failure);
         return data;
     }
-    data.set({{"temperature", solver::celsius(outcome.hottest)},
+    data.set({{"temperature", celsius(outcome.hottest)},
               {"unit", "degC"},
               {"time", outcome.hottest_time},
               {"layer", outcome.hottest_layer},
@@ -77,7 +77,7 @@ Section grid_section(const StudyRecord& study) {
 std::string extreme_text(const StudyRecord& study, const char* name, std::size_t run) {
     const StudyOutcome& found = study.outcomes[run];
     const std::string zone = found.hottest_zone.empty() ? "" : ", " + found.hottest_zone;
-    return fmt::format("{} run: {:.1f} degC in {}{} at {:.6g} s; run {}: {}", name, solver::celsius(found.hottest),
+    return fmt::format("{} run: {:.1f} degC in {}{} at {:.6g} s; run {}: {}", name, celsius(found.hottest),
                        found.hottest_layer, zone, found.hottest_time, run + 1, values_text(study, run));
 }
 
@@ -159,7 +159,7 @@ Report study_report(const StudyRecord& study, const StudyCall& call) {
                    {"made", study.outcomes.size() - call.kept},
                    {"seconds", call.seconds},
                    {"threads", call.threads},
-                   {"critical", study.critical ? Value(solver::celsius(*study.critical)) : Value()},
+                   {"critical", study.critical ? Value(celsius(*study.critical)) : Value()},
                    {"failed", std::move(failed)}};
     Section extremes = extremes_section(study, report.data);
     DataTable of_points = study_points(study);

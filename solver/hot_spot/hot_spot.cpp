@@ -8,13 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/index.hpp"
+
 namespace tiretherm::solver {
-
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 HotSpotHistory::HotSpotHistory(const mesh::Mesh& mesh, Critical critical)
     : critical_(std::move(critical)), finder_(mesh, critical_.nodes) {}

@@ -6,11 +6,9 @@
 
 #include <algorithm>
 
-namespace tiretherm::solver {
+#include "mesh/index.hpp"
 
-namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-}  // namespace
+namespace tiretherm::solver {
 
 Pattern pattern_of(const mesh::Mesh& mesh) {
     // All neighbours of a node side by side, with itself; a pair of nodes may be joined by several faces.

@@ -2,13 +2,12 @@
 // Repeats a run with given steps and keeps its stages, effect coefficients and the linear form of every sampled output.
 
 #include "solver/sensitivity/adjoint_record.hpp"
+#include "mesh/index.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::solver {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Problem with_given_steps(Problem problem) {
     problem.settings.fixed_step = 1.0;

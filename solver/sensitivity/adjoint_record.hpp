@@ -73,9 +73,9 @@ private:
     void linearise(const Step& step);
     void solve(BlockSolver& solver, const Matrix& J, std::span<const double> B, std::span<double> X, double tolerance,
                std::size_t step);
-    void settle_surfaces(std::span<double> x, std::span<const double> right, double scale, std::span<double> product);
-    void settle_surfaces_back(std::span<double> adjoint, std::span<double> heat, std::span<double> w,
-                              std::span<double> product);
+    void settle(const Matrix& J, std::span<const double> right, double scale, std::span<double> x,
+                std::span<double> product);
+    void settle_back(std::span<double> adjoint, std::span<double> heat, std::span<double> w, std::span<double> product);
 
     const Problem problem_;
     Status status_;

@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "mesh/index.hpp"
 #include "solver/sensitivity/adjoint_record.hpp"
+#include "solver/sensitivity/surfaces.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::solver {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A matrix that stands for its transpose as long as this lives.
 class Transposed {
@@ -64,44 +64,24 @@ void AdjointRecord::solve(BlockSolver& solver, const Matrix& J, std::span<const 
     }
 }
 
-/// Surfaces without capacity: J_ss x_s = scale right_s - J_sc x_c, by the diagonal of J_ss, which has little beside it.
-/// J is that of the explicit stage, or its transpose. @param x, right, product [n_columns][n_nodes]
-void AdjointRecord::settle_surfaces(std::span<double> x, std::span<const double> right, double scale,
-                                    std::span<double> product) {
-    const Matrix& J = now_.J.front();
-    const System& system = stepper_.system();
-    for (int iteration = 0; iteration < 60; ++iteration) {
-        J.multiply_block(x, product, x.size() / n_);
-        bool settled = true;
-        for (std::size_t first = 0; first < x.size(); first += n_) {
-            double change = 0.0;
-            double largest = 0.0;
-            for (std::size_t i = 0; i < n_; ++i) {
-                if (!system.has_capacity(i)) {
-                    const double by =
-                        (scale * right[first + i] - product[first + i]) / J.value[at(J.pattern->diagonal[i])];
-                    x[first + i] += by;
-                    change = std::max(change, std::abs(by));
-                    largest = std::max(largest, std::abs(x[first + i]));
-                }
-            }
-            settled = settled && change <= 1e-15 * largest;
-        }
-        if (settled) {
-            return;
-        }
+/// Of the explicit stage. @param x, right, product [n_columns][n_nodes]  @param J its matrix, or the transpose
+void AdjointRecord::settle(const Matrix& J, std::span<const double> right, double scale, std::span<double> x,
+                           std::span<double> product) {
+    constexpr double exact = 1e-15;
+    if (Status status = settle_surfaces(stepper_.system(), J, right, scale, exact, x, product); !status.ok()) {
+        status_ = std::move(status);
     }
 }
 
-/// The same backwards: w_s = J_ss^-T adjoint_s goes to the heat and, through J_sc, to the cells.
+/// Backwards: w_s = J_ss^-T adjoint_s goes to the heat and, through J_sc, to the cells.
 /// @param adjoint, heat, w, product [n_sums][n_nodes]
-void AdjointRecord::settle_surfaces_back(std::span<double> adjoint, std::span<double> heat, std::span<double> w,
-                                         std::span<double> product) {
+void AdjointRecord::settle_back(std::span<double> adjoint, std::span<double> heat, std::span<double> w,
+                                std::span<double> product) {
     const System& system = stepper_.system();
     std::ranges::fill(w, 0.0);
     {
         const Transposed J(now_.J.front());
-        settle_surfaces(w, adjoint, 1.0, product);
+        settle(*J, adjoint, 1.0, w, product);
         J->multiply_block(w, product, adjoint.size() / n_);
     }
     for (std::size_t first = 0; first < w.size(); first += n_) {
@@ -143,7 +123,7 @@ std::vector<double> AdjointRecord::forward(std::size_t n_heats, const Heats& hea
         linearise(step);
         heats(k, heat);
         std::swap(S.front(), S.back());
-        settle_surfaces(S[0], heat, now_.s, right);
+        settle(now_.J.front(), heat, now_.s, S[0], right);
         now_.J[0].multiply_block(S[0], right, n_heats);
         for (std::size_t i = 0; i < n_; ++i) {
             const bool moves = system.has_capacity(i);
@@ -310,7 +290,7 @@ private:
         for_all([&](std::size_t i, std::size_t node) {
             of_S[i] += (now.capacity[0][node] * of_dq[i] - product_[i]) / now.s + of_begin_[i];
         });
-        record_->settle_surfaces_back(of_S, heat_, of_end_, product_);
+        record_->settle_back(of_S, heat_, of_end_, product_);
     }
 
     AdjointRecord* record_;

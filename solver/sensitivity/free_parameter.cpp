@@ -8,11 +8,11 @@
 #include <array>
 #include <cmath>
 
+#include "mesh/index.hpp"
+
 namespace tiretherm::solver {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A law after the value at one of its knots has moved: scaled with one knot, otherwise by the polynomial that is 1 at
 /// this knot and 0 at the others.

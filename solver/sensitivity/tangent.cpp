@@ -9,10 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "mesh/index.hpp"
+#include "solver/sensitivity/surfaces.hpp"
+
 namespace tiretherm::solver {
 
 namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A kept factor serves sensitivities less long than a run: all of them pay for its age.
 constexpr double reach = 1.7;
@@ -79,7 +81,7 @@ void Tangent::find_capacities(std::span<const double> T) {
 }
 
 /// The explicit stage: the state of the step's begin, whose surfaces follow the inputs.
-void Tangent::start_step(double s) {
+Status Tangent::start_step(double s) {
     const std::span<const double> T = stepper_->stages().front().temperature;
     before_ = S_[S_.size() - 2];
     S_.front() = S_.back();
@@ -89,12 +91,15 @@ void Tangent::start_step(double s) {
     if (goes_on) {
         dq_.front() = dq_.back();
         std::swap(enthalpy_begin_, enthalpy_end_);
-        return;
+        return {};
     }
     system_->evaluate(T, stepper_->coefficients(0));
     system_->matrices(s, false, A_, J_);
     find_flow_slopes(0, T);
-    settle_surfaces(s);
+    if (Status status = settle_surfaces(*system_, J_, partial_, s, 1e-3 * tolerance_, S_.front(), product_);
+        !status.ok()) {
+        return status;
+    }
     find_capacities(T);
     // s dq/dT S = C S - J S
     J_.multiply_block(S_.front(), product_, size());
@@ -108,35 +113,7 @@ void Tangent::start_step(double s) {
             H[i] += stored;
         }
     }
-}
-
-/// Surfaces without capacity: their heat flow stays zero, whatever moves.
-void Tangent::settle_surfaces(double s) {
-    const Pattern& p = *J_.pattern;
-    if (problem_->mesh.n_cells + std::ssize(problem_->mesh.lumped_nodes) == problem_->mesh.n_nodes) {
-        return;
-    }
-    for (int iteration = 0; iteration < 50; ++iteration) {
-        J_.multiply_block(S_.front(), product_, size());
-        double worst = 0.0;
-        for (std::size_t j = 0; j < size(); ++j) {
-            double largest = 0.0;
-            double change = 0.0;
-            for (std::size_t i = 0; i < n_; ++i) {
-                double& S = S_.front()[j * n_ + i];
-                if (!system_->has_capacity(i)) {
-                    const double by = (s * partial_[j * n_ + i] - product_[j * n_ + i]) / J_.value[at(p.diagonal[i])];
-                    S += by;
-                    change = std::max(change, std::abs(by));
-                }
-                largest = std::max(largest, std::abs(S));
-            }
-            worst = std::max(worst, largest > 0.0 ? change / largest : 0.0);
-        }
-        if (worst <= 1e-3 * tolerance_) {
-            return;
-        }
-    }
+    return {};
 }
 
 /// First guess of a stage: straight on from the last step, then along the stages found so far.
@@ -209,7 +186,9 @@ Status Tangent::take_step(std::span<const physics::Inputs> inputs) {
     for (const std::unique_ptr<ParameterPerturbation>& perturbation : perturbations_) {
         perturbation->open(stepper_->begin(), stepper_->time());
     }
-    start_step(dt * stepper_->method().diagonal);
+    if (Status status = start_step(dt * stepper_->method().diagonal); !status.ok()) {
+        return status;
+    }
     for (int stage = 1; stage < stepper_->method().stages; ++stage) {
         if (Status status = solve_stage(stage, dt); !status.ok()) {
             return status;

@@ -53,8 +53,7 @@ private:
     }
     void find_flow_slopes(int stage, std::span<const double> T);
     void find_capacities(std::span<const double> T);
-    void start_step(double s);
-    void settle_surfaces(double s);
+    [[nodiscard]] Status start_step(double s);
     [[nodiscard]] Status solve_stage(int stage, double dt);
     void guess(int stage, double dt);
 

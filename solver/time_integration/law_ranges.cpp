@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "solver/celsius.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::solver {
 

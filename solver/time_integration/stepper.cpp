@@ -9,10 +9,11 @@
 #include <limits>
 #include <numeric>
 
+#include "mesh/index.hpp"
+
 namespace tiretherm::solver {
 
 namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// y += factor x
 void add(double factor, std::span<const double> x, std::span<double> y) {

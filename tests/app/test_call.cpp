@@ -119,7 +119,7 @@ TEST(Check, SoundCaseIsToldInAFewLines) {
         << check.out;
     EXPECT_NE(check.out.find("channels  surface_temperature, bulk_temperature\n"), std::string::npos) << check.out;
     const Json json = Json::parse(call("check --json " + two_node).out);
-    EXPECT_EQ(json["mistakes"], Json::array());
+    EXPECT_EQ(json["errors"], Json::array());
     EXPECT_EQ(json["cells"], 2);
 }
 
@@ -262,7 +262,7 @@ TEST(Effects, UnknownNameIsAnsweredWithTheNearestOne) {
     const Call wrong = call("effects lasr");
     EXPECT_EQ(wrong.exit_code, 1);
     EXPECT_EQ(wrong.err, "tiretherm: there is no effect \"lasr\"; did you mean `laser`?\n");
-    EXPECT_EQ(Json::parse(call("effects lasr --json").out)["mistakes"], Json::array());
+    EXPECT_EQ(Json::parse(call("effects lasr --json").out)["errors"], Json::array());
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ TEST(CheckStudy, ReadsAStudyAsTheStudyCommandDoes) {
     EXPECT_NE(good.out.find("durability/un_r30_load_speed"), std::string::npos) << good.out;
     EXPECT_NE(good.out.find("drive.inflation_pressure: "), std::string::npos) << good.out;
     const auto json = nlohmann::json::parse(call("check --json " + tree + "/cases/studies/un_r30_pressure.toml").out);
-    EXPECT_EQ(json["mistakes"], nlohmann::json::array());
+    EXPECT_EQ(json["errors"], nlohmann::json::array());
     EXPECT_GT(json["runs"], 1);
     const Call wrong = call("check " + tree + "/tests/bad_cases/study/count.toml");
     EXPECT_EQ(wrong.exit_code, 1);

@@ -161,7 +161,7 @@ TEST(Compare, ErrorsAreReportedAndEndWith1) {
     EXPECT_NE(wrong.err.find("wrong.csv"), std::string::npos) << wrong.err;
     const Call json = bench.compare("--json --data " + log);
     EXPECT_EQ(json.exit_code, 1);
-    EXPECT_FALSE(Json::parse(json.out)["mistakes"].empty());
+    EXPECT_FALSE(Json::parse(json.out)["errors"].empty());
     EXPECT_EQ(call("compare " + two_node).exit_code, 1);  // a case without any measured run
     EXPECT_EQ(call("compare no_such_case.toml").exit_code, 1);
     const Call nowhere = call("compare " + bench.file + " --out /proc/nowhere");

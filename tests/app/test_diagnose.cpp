@@ -164,7 +164,7 @@ TEST(Diagnose, MissingFilesAreToldAndEndWith1) {
     const Call no_case = diagnoses.diagnose(diagnoses.file("missing.toml"), "--json");
     EXPECT_EQ(no_case.exit_code, 1);
     EXPECT_EQ(no_case.err, "");
-    EXPECT_EQ(Json::parse(no_case.out)["mistakes"].size(), 1u) << no_case.out;
+    EXPECT_EQ(Json::parse(no_case.out)["errors"].size(), 1u) << no_case.out;
     EXPECT_FALSE(std::filesystem::exists(diagnoses.written.folder() / "out"));
 }
 

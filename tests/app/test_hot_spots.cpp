@@ -289,7 +289,7 @@ TEST(HotSpots, ErrorsOfCriticalTemperaturesAreAnObjectToo) {
     const Call done = run(scratch, warming_plate + critical("15 degC") + three_steps, "--json");
     EXPECT_EQ(done.exit_code, 1);
     const Json report = Json::parse(done.out);
-    ASSERT_EQ(report["mistakes"].size(), 1U) << done.out;
+    ASSERT_EQ(report["errors"].size(), 1U) << done.out;
     EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
 }
 

@@ -235,7 +235,7 @@ TEST(Identify, WrongDataAreToldAndEndWith1) {
     EXPECT_NE(unit.err.find("1 error; nothing was fitted"), std::string::npos) << unit.err;
     const Call json = fits.identify(bench, "--json --data " + watts);
     EXPECT_EQ(json.exit_code, 1);
-    EXPECT_EQ(Json::parse(json.out)["mistakes"][0]["message"], message);
+    EXPECT_EQ(Json::parse(json.out)["errors"][0]["message"], message);
 
     const std::string unread = fits.written.add("unread.csv", log_with("throttle [-]")).string();
     const Call nothing = fits.identify(bench, "--data " + unread);

@@ -42,7 +42,7 @@ TEST(New, SectionIsTheStandardMeshAndTheSizeTheStandardName) {
     const sample::Scratch scratch;
     EXPECT_EQ(call("new '235/45 ZR17 94W'", scratch.path()).exit_code, 0);
     const Json check = Json::parse(call("check --json 235_45_ZR17_94W.toml", scratch.path()).out);
-    EXPECT_EQ(check["mistakes"], Json::array());
+    EXPECT_EQ(check["errors"], Json::array());
     EXPECT_EQ(check["warnings"], Json::array());
     EXPECT_GT(check["cells"], 1000);
 }
@@ -54,7 +54,7 @@ TEST(New, SpecimenNeedsNoTire) {
     ASSERT_EQ(made.exit_code, 0) << made.err;
     EXPECT_TRUE(made.out.starts_with("specimen.toml: a specimen under a laser\n")) << made.out;
     const Json check = Json::parse(call("check --json specimen.toml", scratch.path()).out);
-    EXPECT_EQ(check["mistakes"], Json::array());
+    EXPECT_EQ(check["errors"], Json::array());
     EXPECT_EQ(check["warnings"], Json::array());
     EXPECT_EQ(check["channels"][0], "spot_centre_temperature");
 }
@@ -116,7 +116,7 @@ TEST(New, ResultsOfARunAreALog) {
     EXPECT_EQ(json["log"]["compares"], true);
     EXPECT_EQ(json["log"]["to"], 3600.0);
     EXPECT_EQ(json["assumed"][0]["key"], "tire.size");
-    EXPECT_EQ(json["mistakes"], Json::array());
+    EXPECT_EQ(json["errors"], Json::array());
     // The same constants drive it, from the same start: what differs is the 10 s between the samples of the file.
     const Call compared = call("compare again.toml", scratch.path());
     EXPECT_EQ(compared.exit_code, 0) << compared.err;
@@ -232,8 +232,8 @@ TEST(New, MistakesOfALogAreReportedAtOnceAndNothingIsWritten) {
     EXPECT_NE(wrong.err.find("2 errors; no case was written\n"), std::string::npos) << wrong.err;
     EXPECT_FALSE(std::filesystem::exists(scratch / "mine.toml"));
     const Json json = Json::parse(call("new drive.csv --out mine.toml --json", scratch.path()).out);
-    EXPECT_EQ(json["mistakes"].size(), 2U);
-    EXPECT_EQ(json["mistakes"][0]["line"], 2);
+    EXPECT_EQ(json["errors"].size(), 2U);
+    EXPECT_EQ(json["errors"][0]["line"], 2);
 }
 
 // The beacons of a .ld file stand in the file beside it: they are read, and never replaced. A result follows from them.

@@ -143,11 +143,11 @@ TEST(Run, ErrorsAreAllReportedAtOnceAndCounted) {
     EXPECT_EQ(text.exit_code, 1);
     EXPECT_EQ(text.out, "");
     const Json json = Json::parse(call("run --json " + bad).out);
-    const std::size_t n = json["mistakes"].size();
+    const std::size_t n = json["errors"].size();
     EXPECT_GT(n, 5u);
     EXPECT_TRUE(text.err.ends_with(fmt::format("{} errors; nothing was run\n", n))) << text.err;
     EXPECT_EQ(json["error"], fmt::format("{} errors; nothing was run", n));
-    for (const Json& error : json["mistakes"]) {
+    for (const Json& error : json["errors"]) {
         EXPECT_NE(text.err.find(error["message"].get<std::string>()), std::string::npos) << error;
         EXPECT_GT(error["line"], 0);
         EXPECT_GT(error["column"], 0);
@@ -162,7 +162,7 @@ TEST(Run, MissingFileIsAnError) {
     const Call json = call("run nowhere.toml --json");
     EXPECT_EQ(json.exit_code, 1);
     EXPECT_EQ(json.err, "");
-    EXPECT_EQ(Json::parse(json.out)["mistakes"][0]["file"], "nowhere.toml");
+    EXPECT_EQ(Json::parse(json.out)["errors"][0]["file"], "nowhere.toml");
 }
 
 TEST(Run, NumericalFailureNamesPlaceEffectAndTimeAndKeepsTheResults) {

@@ -220,7 +220,7 @@ TEST(Study, ErrorsOfStudyAndCaseAreReportedAtOnceAndNothingIsWritten) {
     EXPECT_EQ(text.out, "");
     EXPECT_TRUE(text.err.ends_with("7 errors; nothing was run\n")) << text.err;
     const Json json = Json::parse(call("study --json " + bad, scratch.path()).out);
-    EXPECT_EQ(json["mistakes"].size(), 7U);
+    EXPECT_EQ(json["errors"].size(), 7U);
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hottest place of a part, between the cells too.
+#include "mesh/index.hpp"
 #include "solver/hot_spot_finder.hpp"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace tiretherm::solver {
 namespace {
 
 using std::numbers::pi;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A flat crown of 200 mm with 12 mm of one layer.
 mesh::Mesh crown(int along, int through, bool two_layers = false) {

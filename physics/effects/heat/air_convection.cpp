@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "physics/celsius.hpp"
 #include "physics/convection.hpp"
 #include "physics/effect.hpp"
 
@@ -45,6 +46,27 @@ constexpr std::array parameters{
     ParameterSpec{"air_viscosity", "m2 s-1", 1.5e-5, 1e-7, 1e-3, "kinematic viscosity of air"},
     ParameterSpec{"exponential_limit", "1", 2.0, 0.0, 1e6,
                   "most that a bounded exponential term adds, over the forced part; assumed"},
+};
+constexpr std::string_view above =
+    "the air film compensates for a missing heat path: try sidewall_convection, inner_gas or resolved_contact, or run "
+    "diagnose";
+constexpr std::string_view below =
+    "the air film compensates for another error of the heat balance: look at road_contact and at sources that are off, "
+    "or run diagnose";
+constexpr std::array plausible{
+    PlausibleRange{"lambda_h", 0.5, 2.0,
+                   "published laws beside the thesis's (32): Hilpert -27 % at 20 km/h to +36 % at 250 km/h, 5.9 + 3.7 "
+                   "V of a racing simulation +68 % at 100 km/h",
+                   "no air film is that far from the law: another loss is missing, or heat is made that is not there",
+                   SensorKind::any, above, below},
+    PlausibleRange{"coefficient", 0.16, 0.64, "half to twice the thesis's 0.318, as lambda_h",
+                   "no air film is that far from the law: another loss is missing, or heat is made that is not there",
+                   SensorKind::any, above, below},
+    PlausibleRange{"exponent", 0.5, 0.85,
+                   "laminar 0.5 to turbulent 0.8 (boundary layers), Hilpert's cylinder 0.805 at Re > 40 000",
+                   "no flow over a body follows such a power of the speed"},
+    PlausibleRange{"floor", 5.0, 40.0, "still air 5 to 10 W/(m2 K); the thesis 30",
+                   "natural convection with radiation is not stronger than that"},
 };
 constexpr std::array<std::string_view, 3> ways{"bounded", "on", "off"};
 constexpr std::array choices{Choice{
@@ -114,7 +136,6 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 
 /// The thesis's surfaces were between 15 and 50 degC; beyond, the exponential doubles every 8 K, and nothing stops it.
 std::string range_warning(const ActiveEffect& active, double /*coldest*/, double hottest) {
-    constexpr double zero_celsius = 273.15;
     constexpr double known_up_to = zero_celsius + 50.0;
     const bool too_hot = hottest > known_up_to && active[clamp_high] > known_up_to;
     if (active.choices[exponential] != unbounded || !too_hot) {
@@ -147,6 +168,7 @@ const Effect air_convection{
         "the floor; exponential = \"on\" is the thesis's own form. h_forced holds for Re of 1e4 to 1e6.",
     .compared = compared,
     .parameters = parameters,
+    .plausible = plausible,
     .choices = choices,
     .reads = reads,
     .may_read = may_read,

@@ -16,6 +16,12 @@ enum : std::size_t { conductance };
 constexpr std::array parameters{
     ParameterSpec{"conductance", "W K-1", 1.0, 0.0, 1e3, "from the brake disc to the rim; estimated", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{
+        "conductance", 0.0, 10.0,
+        "5 to 20 cm2 of steel over some cm of bell and hub, as much again by air and radiation; estimated",
+        "hub and rim do not conduct that much: heat of sliding or of the loss is missing on the braked axle"},
+};
 constexpr std::array<std::string_view, 1> reads{"brake_temperature"};
 constexpr std::array<std::string_view, 2> patches{"beads", "inside"};
 
@@ -51,6 +57,7 @@ const Effect brake_heat{
         "that of the disc as logged, or as [vehicle] computes it from the power of braking. Part of what looks like a "
         "film of air that is too weak on the front axle.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .patches = patches,
     .one_patch = true,

@@ -184,6 +184,22 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     }
 }
 
+/// Of the materials' laws, and of links between lumps.
+constexpr std::array plausible{
+    PlausibleRange{"conductivity", 0.05, 1.5,
+                   "rubber 0.21 (Clark, NASA 1983) to 0.56 W/(m K), butyl liner from 0.13 (recalled); identified by "
+                   "the thesis 0.07 to 1.0 at 90 degC",
+                   "no rubber compound conducts that way: the law stands in for another path of heat"},
+    PlausibleRange{"heat_capacity", 1200.0, 2300.0,
+                   "belts from 1200 (recalled), rubber 1500 to 2100 J/(kg K); thesis 1800, Clark (NASA 1983) 2092",
+                   "no rubber compound stores that much or that little: the time constant has another cause, such as a "
+                   "slow sensor"},
+    PlausibleRange{
+        "link_conductivity", 0.1, 2.5,
+        "saturations of the thesis's drum tests with a link of 10 mm: 1.1 to 1.4 W/(m K); 0.29 at 20 degC stated",
+        "a link of two lumps that is far off takes the place of a path of heat that does not pass the surface"},
+};
+
 }  // namespace
 
 extern const Effect conduction;
@@ -195,6 +211,7 @@ const Effect conduction{
     .source = "Fourier; thesis (31)(34)",
     .valid = "where k(T) and c(T) of the materials are known: give them a range",
     .meaning = "Heat conducted between cells. The laws k(T) and c(T) belong to the materials of the layers.",
+    .plausible = plausible,
     .model =
         HeatEffect{
             .place = place,

@@ -17,6 +17,10 @@ constexpr std::array parameters{
     ParameterSpec{"exponent", "1", 0.95, 0.0, 3.0, "of the pressure", false, 0.0},
     ParameterSpec{"reference", "N", 4500.0, 1.0, 1e6, "load at which Hc holds as it is"},
 };
+constexpr std::array plausible{
+    PlausibleRange{"exponent", 0.0, 1.0, "contact conductance of rough solids: 0.95 of the pressure; recalled",
+                   "conductance grows no faster than the pressure"},
+};
 constexpr std::array<std::string_view, 2> reads{"vertical_load", "road_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
@@ -72,6 +76,7 @@ const Effect contact_pressure_conductance{
         "Corrects road_contact for a coefficient that grows with the pressure, taken as proportional to the load. "
         "Negative below the reference load, nothing without road_contact or when surface and road are equal.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .needs_tire = true,
     .patches = patches,

@@ -19,6 +19,11 @@ enum : std::size_t { coefficient };
 constexpr std::array parameters{
     ParameterSpec{"coefficient", "N-1", 2.5e-6, 0.0, 1e-2, "tan(delta) / cornering stiffness; estimated", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"coefficient", 0.0, 1e-5,
+                   "tan delta of 0.1 to 0.4 over a cornering stiffness of 50 to 150 kN/rad: up to 8e-6 1/N",
+                   "lateral bending makes no more heat than that: friction power or slip is off"},
+};
 constexpr std::array<std::string_view, 2> reads{"speed", "lateral_force"};
 
 void place(const PlacementContext& context, ActiveEffect& active) { spread_over_bulk(context, active); }
@@ -49,6 +54,7 @@ const Effect cornering_loss{
         "Work of deforming the tire sideways at every pass through the contact: heat in the bulk as soon as there is a "
         "lateral force, before anything slides. Part of what rolling resistance pays for.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .model =
         HeatEffect{

@@ -21,6 +21,10 @@ constexpr std::array parameters{
     ParameterSpec{"block_width", "m", 0.020, 1e-4, 0.5, "width of the blocks between them"},
     ParameterSpec{"block_conductivity", "W m-1 K-1", 0.29, 1e-3, 100.0, "conductivity of the blocks"},
 };
+constexpr std::array plausible{
+    PlausibleRange{"area_share", 0.0, 0.6, "treads of cars add 10 to 40 % of area; assumed",
+                   "grooves have no such area: the film itself is off (lambda_h)"},
+};
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
@@ -85,6 +89,7 @@ const Effect groove_convection{
         "The walls of the grooves, which the thesis leaves out: more area for the forced part of the convection, less "
         "effective as the blocks cool towards their tops. Nothing at rest.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .needs_tire = true,
     .patches = patches,

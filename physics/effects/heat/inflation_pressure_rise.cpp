@@ -23,6 +23,13 @@ constexpr std::array parameters{
     ParameterSpec{"rim", "W K-1", 4.0, 0.0, 1000.0, "conductance from the gas of this effect to the air"},
     ParameterSpec{"capacity", "J K-1", 70.0, 1.0, 1e5, "heat capacity of the gas of this effect, at constant volume"},
 };
+constexpr std::array confounded{
+    ConfoundedGroup{{"inflation_pressure_rise", "loss_tangent_slope"},
+                    "pressure or loaded radius; cold bulk with hot gas, as after a short stop"}};
+constexpr std::array plausible{
+    PlausibleRange{"exponent", 0.0, 1.0, "SAE J2452: 0.4 to 0.5, tires from 0.2 to 0.8; recalled",
+                   "no tire's loss follows its pressure like that: the loss changes with temperature otherwise"},
+};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 1> may_read{"inflation_pressure"};
 constexpr double atmosphere = 101325.0;  // Pa
@@ -97,6 +104,8 @@ const Effect inflation_pressure_rise{
         "it by "
         "themselves, and this effect stays off.",
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
     .reads = reads,
     .may_read = may_read,
     .needs_tire = true,

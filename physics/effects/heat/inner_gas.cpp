@@ -19,6 +19,19 @@ constexpr std::array parameters{
     ParameterSpec{"rim", "W K-1", 4.0, 0.0, 1e4, "conductance from the gas to the rim; assumed", false, 0.0},
     ParameterSpec{"capacity", "J K-1", 70.0, 1.0, 1e5, "heat capacity of the gas at constant volume"},
 };
+/// A little conductance is slow, much of it is quick: four signatures.
+constexpr std::array trials{
+    TrialValues{.parameter = "liner", .other = "rim", .factor = 4.0 / 9.0, .trials = {0.3, 1.0, 3.0, 9.0}},
+    TrialValues{.parameter = "rim", .left_out = true},
+};
+constexpr std::array plausible{
+    PlausibleRange{"liner", 0.0, 30.0, "films of 10 to 30 W/(m2 K) on 0.6 to 0.9 m2; 9 W/K used by others",
+                   "gas takes no more from the liner than that"},
+    PlausibleRange{"rim", 0.0, 20.0, "films of 10 to 30 W/(m2 K) on 0.3 to 0.5 m2; 4 W/K used by others",
+                   "gas gives no more to the rim than that"},
+    PlausibleRange{"capacity", 30.0, 200.0, "definition: 30 to 80 litres at 2 to 4 bar, 0.72 J/(g K)",
+                   "the cavity holds no such mass of gas"},
+};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 1> patches{"inside"};
 
@@ -68,6 +81,8 @@ const Effect inner_gas{
         "stands "
         "at the air's temperature, or is the node of rim_conduction where that is on.",
     .parameters = parameters,
+    .plausible = plausible,
+    .trials = trials,
     .reads = reads,
     .patches = patches,
     .model =

@@ -21,6 +21,15 @@ constexpr std::array parameters{
     ParameterSpec{"absorptivity", "1", 1.0, 0.0, 1.0, "share of the light that is absorbed"},
     ParameterSpec{"depth", "m", 0.0, 0.0, 1.0, "1/e depth of absorption; 0: at the surface"},
 };
+constexpr std::array plausible{
+    PlausibleRange{"radius", 2e-4, 0.02, "laser spots of bench tests 0.4 to 40 mm across; the thesis 1 cm2; recalled",
+                   "the spot can be seen: measure it"},
+    PlausibleRange{"absorptivity", 0.85, 1.0, "black rubber 0.90 to 0.97 in the near infrared, recalled",
+                   "black rubber reflects less than that: the power or the conductivity is off"},
+    PlausibleRange{
+        "depth", 0.0, 3e-4, "carbon black stops light within 0.1 mm, recalled",
+        "light does not get that deep into filled rubber: the surface conducts otherwise, or the camera is not sharp"},
+};
 constexpr std::array<std::string_view, 2> profiles{"disc", "gaussian"};
 constexpr std::array choices{Choice{"profile", profiles, "uniform over a disc, or Gaussian"}};
 constexpr std::array<std::string_view, 1> reads{"laser_power"};
@@ -91,6 +100,7 @@ const Effect laser{
         "Light of a laser absorbed about x = y = 0 of the outer surface. The part of the spot outside the mesh "
         "is lost: a quarter of a specimen takes a quarter of the power.",
     .parameters = parameters,
+    .plausible = plausible,
     .choices = choices,
     .reads = reads,
     .patches = patches,

@@ -21,6 +21,10 @@ constexpr std::array parameters{
     ParameterSpec{"exponent", "1", 0.25, 0.0, 1.0, "exponent of (T_surf - T_air) / length; 1/4 in laminar flow"},
     ParameterSpec{"scale", "1", 1.0, 0.0, 10.0, "factor on either law", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"scale", 0.0, 2.0, "correlations for plates and cylinders differ by 20 to 50 %; recalled",
+                   "a draught, or another loss of heat"},
+};
 constexpr std::array<std::string_view, 2> laws{"power", "churchill_chu"};
 constexpr std::array choices{
     Choice{"law", laws, "factor (dT/length)^exponent, or Churchill and Chu's correlation for a horizontal cylinder"}};
@@ -89,6 +93,7 @@ const Effect natural_convection{
     .valid = "surfaces 5 to 100 K above the air, laminar (Gr Pr of 1e4 to 1e9); at rest",
     .meaning = "Buoyant air on a tire or specimen at rest; grows weakly with the temperature difference.",
     .parameters = parameters,
+    .plausible = plausible,
     .choices = choices,
     .reads = reads,
     .patches = patches,

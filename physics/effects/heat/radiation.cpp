@@ -15,6 +15,11 @@ enum : std::size_t { emissivity };
 constexpr std::array parameters{
     ParameterSpec{"emissivity", "1", 0.95, 0.0, 1.0, "emissivity of rubber, 0.90 to 0.95", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"emissivity", 0.0, 1.0,
+                   "definition; rubber 0.85 to 0.98, less where a surface sees warm parts; recalled",
+                   "no surface radiates more than a black one"},
+};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"outside", "top"};
 constexpr double stefan_boltzmann = 5.670374419e-8;  // W/(m2 K4), CODATA 2018
@@ -50,6 +55,7 @@ const Effect radiation{
         "warm as the air",
     .meaning = "Heat radiated to surroundings at the temperature of the air; counts where convection is weak.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .patches = patches,
     .model =

@@ -101,6 +101,7 @@ const Effect resolved_contact{
         "of the kinds surface_at_entry and surface_at_exit read the flash. A case that switches it on switches "
         "road_contact off.",
     .parameters = rolling_contact::parameters,
+    .plausible = rolling_contact::plausible,
     .tables = tables,
     .reads = rolling_contact::reads,
     .may_read = may_read,

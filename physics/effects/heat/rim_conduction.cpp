@@ -29,6 +29,14 @@ constexpr std::array parameters{
     disk_film::transition,
     disk_film::natural,
 };
+constexpr std::array plausible{
+    PlausibleRange{"bead", 0.0, 5.0, "bead seats of 20 mm width on 10 to 15 mm of rubber, 0.5 to 3 W/K; recalled",
+                   "rubber at the beads conducts no more than that: the gas carries heat to the rim, too"},
+    PlausibleRange{"cooling", 2.0, 40.0, "0.3 to 0.8 m2 of rim at 5 to 50 W/(m2 K); recalled",
+                   "no rim sheds that much or that little, unless a brake heats it"},
+    PlausibleRange{"disk_scale", 0.5, 2.0, "half behind a closed wheel house to twice in the travel wind; assumed",
+                   "no rim is that far from a rotating disk"},
+};
 constexpr std::array choices{
     Choice{disk_film::key, disk_film::films, "cooling at every speed, or the film of a rotating disk on area"}};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
@@ -98,6 +106,7 @@ const Effect rim_conduction{
         "for which transition is lowered, and wind through the wheel is left to disk_scale.",
     .compared = compared,
     .parameters = parameters,
+    .plausible = plausible,
     .choices = choices,
     .reads = reads,
     .may_read = disk_film::reads,

@@ -18,6 +18,18 @@ constexpr std::array parameters{
                   "coefficient of a tire that does not roll, over the contact area"},
     ParameterSpec{"lambda_Hc", "1", 1.0, 0.0, 10.0, "scale of the coefficient"},
 };
+constexpr std::string_view above =
+    "the averaged contact sheds less than the tread does: use a rolling contact, resolved_contact in the place of "
+    "road_contact";
+constexpr std::array plausible{
+    PlausibleRange{
+        "Hc", 250.0, 1500.0,
+        "thesis 500 W/(m2 K) for a tire that does not roll; a rolling contact sheds two to three times as much",
+        "fresh tread meets fresh road in each revolution: use resolved_contact", SensorKind::any, above},
+    PlausibleRange{"lambda_Hc", 0.5, 3.0,
+                   "a rolling contact sheds two to three times as much as the thesis's averaged one",
+                   "fresh tread meets fresh road in each revolution: use resolved_contact", SensorKind::any, above},
+};
 constexpr std::array tables{contact_profile};
 constexpr std::array<std::string_view, 2> reads{"vertical_load", "road_temperature"};
 constexpr std::array<std::string_view, 1> may_read{"inflation_pressure"};
@@ -48,6 +60,7 @@ const Effect road_contact{
         "Heat to the road through a contact that is smeared over the circumference: Hc is a lumped share of "
         "area, not the coefficient inside a rolling contact.",
     .parameters = parameters,
+    .plausible = plausible,
     .tables = tables,
     .reads = reads,
     .may_read = may_read,

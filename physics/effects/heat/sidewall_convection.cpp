@@ -24,6 +24,20 @@ constexpr std::array parameters{
     disk_film::transition,
     disk_film::natural,
 };
+constexpr std::array trials{TrialValues{.parameter = "h", .left_out = true}};
+constexpr std::array confounded{
+    ConfoundedGroup{{"sidewall_convection", "inner_gas", "radiation"},
+                    "a channel in the gas or on the liner; a long cool-down: gas gives back for minutes what it "
+                    "took, radiation falls with the fourth power, sidewalls do neither"}};
+constexpr std::array plausible{
+    PlausibleRange{"conductance", 0.0, 40.0,
+                   "rotating disk: 1.5 W/K at rest, 22 W/K at 100 km/h, 38 W/K at 200 km/h for a 225/50 R17",
+                   "sidewalls shed no more than that: another loss is missing"},
+    PlausibleRange{"h", 0.0, 100.0, "rotating disk 30 to 60 W/(m2 K) at 100 km/h",
+                   "sidewalls shed no more than that: another loss is missing"},
+    PlausibleRange{"disk_scale", 0.5, 2.0, "half behind a closed wheel house to twice in the travel wind; assumed",
+                   "no sidewall is that far from a rotating disk: another loss is missing"},
+};
 constexpr std::array choices{
     Choice{disk_film::key, disk_film::films, "conductance and h at every speed, or the film of a rotating disk"}};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
@@ -117,6 +131,9 @@ const Effect sidewall_convection{
         "at rest is its own.",
     .compared = compared,
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
+    .trials = trials,
     .choices = choices,
     .reads = reads,
     .may_read = disk_film::reads,

@@ -37,6 +37,28 @@ constexpr std::array parameters{
     rolling_contact::road_conductivity_spec,
     rolling_contact::road_capacity_spec,
 };
+constexpr std::array confounded{ConfoundedGroup{
+    {"sliding_friction.partition", "sliding_friction.lambda_x", "sliding_friction.lambda_y", "slip_input_gain"},
+    "a second measurement of the slip, or of the forces: temperatures see only the product"}};
+constexpr std::string_view above =
+    "more heat of sliding than the logged slip makes: slip may be logged too small or another heat follows it; compare "
+    "slip_input_gain and partition_speed";
+constexpr std::string_view below =
+    "less heat of sliding than the logged slip makes: slip may be logged too large or late; compare slip_input_gain";
+constexpr std::array plausible{
+    PlausibleRange{"partition", 0.3, 0.85,
+                   "effusivities of tread and asphalt 0.30 to 0.33; the thesis 0.6; up to 0.85 where the rubber itself "
+                   "makes the heat, recalled",
+                   "more than that cannot enter the tread, less is what two cold half-spaces share: slip, force or a "
+                   "sensor is off",
+                   SensorKind::any, above, below},
+    PlausibleRange{"lambda_x", 0.7, 1.4, "forces are known to some per cent, sliding speeds to 10 to 30 %; recalled",
+                   "slip or force is logged wrong or late, or a slow sensor flattens what sliding makes",
+                   SensorKind::any, above, below},
+    PlausibleRange{"lambda_y", 0.7, 1.4, "forces are known to some per cent, slip angles to 10 to 30 %; recalled",
+                   "slip or force is logged wrong or late, or a slow sensor flattens what sliding makes",
+                   SensorKind::any, above, below},
+};
 constexpr std::array<std::string_view, 2> on_off{"on", "off"};
 constexpr std::array<std::string_view, 2> ways_around{"evenly", "in_contact"};
 constexpr std::array<std::string_view, 2> partitions{"number", "charm"};
@@ -237,6 +259,8 @@ const Effect sliding_friction{
         "A field of a structural code places it by friction power, or gives its watts; around = \"in_contact\" lets it "
         "go round with travelling_contact.",
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
     .choices = choices,
     .tables = tables,
     .reads = reads,

@@ -14,6 +14,10 @@ enum : std::size_t { h };
 constexpr std::array parameters{
     ParameterSpec{"h", "W m-2 K-1", 10.0, 0.0, 1e6, "coefficient to the air"},
 };
+constexpr std::array plausible{
+    PlausibleRange{"h", 3.0, 25.0, "free air 5 to 10 W/(m2 K) with radiation of 6 to 11 W/(m2 K) beside it",
+                   "a draught, or another loss of heat"},
+};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"top", "bottom"};
 
@@ -41,6 +45,7 @@ const Effect still_air{
     .valid = "a film that does not depend on temperature; 5 to 15 W/m2K for rest",
     .meaning = "Heat to air at rest from named patches, each with its own coefficient if wanted.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .patches = patches,
     .model =

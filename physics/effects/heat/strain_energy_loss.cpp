@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "physics/celsius.hpp"
 #include "physics/spread.hpp"
 #include "physics/tire_laws/measured_loss.hpp"
 
@@ -65,6 +66,29 @@ constexpr std::array parameters{
     ParameterSpec{"kraus_exponent", "1", 0.6, 0.01, 3.0, "m of Kraus; 0.5 to 0.7 in many compounds (recalled)"},
     ParameterSpec{"kraus_reference", "1", 0.1, 1e-6, 10.0,
                   "strain at which the loss tangent was characterised, deflection over section height"},
+};
+constexpr std::string_view above =
+    "the loss compensates for a missing heat source: try cornering_loss, drum_curvature or load_exponent_of_loss, or "
+    "run diagnose";
+constexpr std::string_view below =
+    "the loss compensates for a missing heat path: try sidewall_convection or inner_gas, or run diagnose";
+constexpr std::array plausible{
+    PlausibleRange{"lambda_srf", 0.6, 1.5,
+                   "thesis VI.1: 0.95 to 1.1 for six tires on drums; widened for other compounds, recalled",
+                   "the loss of a tire is known better than that from its rolling resistance: another source or loss "
+                   "of heat is missing",
+                   SensorKind::any, above, below},
+    PlausibleRange{"lambda_blk", 0.6, 1.5,
+                   "thesis VI.1: 0.95 to 1.1 for six tires on drums; widened for other compounds, recalled",
+                   "the loss of a tire is known better than that from its rolling resistance: another source or loss "
+                   "of heat is missing",
+                   SensorKind::any, above, below},
+    PlausibleRange{"tan_delta_a", 1.2e15, 3.0e15,
+                   "rolling resistance of car tires 0.65 to 1.2 % (classes of UN R117, recalled), where the thesis's "
+                   "2.14e15 makes 1.08 %",
+                   "with the thesis's b and c it makes a rolling resistance that no car tire has: another source or "
+                   "loss of heat is missing",
+                   SensorKind::any, above, below},
 };
 constexpr std::array<std::string_view, 2> temperatures{"bulk_mean", "local"};
 constexpr std::array choices{
@@ -319,11 +343,10 @@ std::string range_warning(const ActiveEffect& active, double coldest, double /*h
     if (!mirrors || coldest >= active[tan_delta_peak]) {
         return {};
     }
-    constexpr double zero_celsius = 273.15;
     return fmt::format(
         "strain_energy_loss: below {:.4g} degC the loss tangent is the mirror image of what it is above, not measured: "
         "give a table tan_delta of the compound",
-        active[tan_delta_peak] - zero_celsius);
+        celsius(active[tan_delta_peak]));
 }
 
 }  // namespace
@@ -357,6 +380,7 @@ const Effect strain_energy_loss{
         "coefficients (coastdown) the total, scaled by the lambdas and by laws that scale the loss.",
     .compared = compared,
     .parameters = parameters,
+    .plausible = plausible,
     .choices = choices,
     .tables = tables,
     .scopes = scopes,

@@ -126,6 +126,7 @@ const Effect travelling_contact{
         "steps of milliseconds; resolved_contact gives the same mean without them. A case that switches it on "
         "switches road_contact off.",
     .parameters = rolling_contact::parameters,
+    .plausible = rolling_contact::plausible,
     .tables = tables,
     .reads = rolling_contact::reads,
     .may_read = may_read,

@@ -15,6 +15,10 @@ enum : std::size_t { signal };
 constexpr std::array parameters{
     ParameterSpec{"watts", "W", 0.0, -1e9, 1e9, "heat at a signal of 1; below 0 it is taken away", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"watts", -1e9, 1e9, "definition: per unit of the user's own signal, of which nothing is known",
+                   "only the user can judge it"},
+};
 constexpr std::array tables{
     Table{"course", "s", "1", "the signal against the time since the run's start, held beyond its ends"},
 };
@@ -44,6 +48,7 @@ const Effect user_heat_source{
         "Cells share it by heat capacity, surfaces by area. All of it goes into the mesh, also where that is a "
         "quarter.",
     .parameters = parameters,
+    .plausible = plausible,
     .tables = tables,
     .invalid_on_mesh = user_effect_invalid_on_mesh,
     .model =

@@ -16,6 +16,10 @@ enum : std::size_t { signal, surroundings };
 constexpr std::array parameters{
     ParameterSpec{"conductance", "W K-1", 0.0, 0.0, 1e9, "at a signal of 1", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"conductance", 0.0, 1e9, "definition: per unit of the user's own signal, of which nothing is known",
+                   "only the user can judge it"},
+};
 constexpr std::array tables{
     Table{"course", "s", "1", "the signal against the time since the run's start, held beyond its ends"},
     Table{"surroundings", "s", "K", "their temperature against the same time; without it the air's"},
@@ -54,6 +58,7 @@ const Effect user_heat_transfer{
         "or with a logged temperature, following any logged signal that is not negative. Cells share it by heat "
         "capacity, surfaces by area.",
     .parameters = parameters,
+    .plausible = plausible,
     .tables = tables,
     .may_read = may_read,
     .invalid_on_mesh = user_effect_invalid_on_mesh,

@@ -24,6 +24,10 @@ constexpr std::array parameters{
     ParameterSpec{"heat_capacity", "J kg-1 K-1", 4186.0, 1.0, 1e5, "specific heat of water"},
     ParameterSpec{"latent_heat", "J kg-1", 2.45e6, 0.0, 1e7, "heat of evaporation at 20 degC"},
 };
+constexpr std::array plausible{
+    PlausibleRange{"film_depth", 0.0, 0.002, "wet roads carry 0.05 to 1 mm, puddles more; recalled",
+                   "a tire at speed would float: the road was not that wet"},
+};
 constexpr std::array<std::string_view, 4> reads{"speed", "vertical_load", "road_temperature", "wet"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
@@ -53,6 +57,7 @@ const Effect wet_road{
         "Water that the tire heats and partly evaporates, at the road's temperature when they meet. Follows the flag "
         "`wet` and the speed; the surface falls as a step when the rain begins.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .needs_tire = true,
     .patches = patches,

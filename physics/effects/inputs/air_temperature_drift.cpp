@@ -16,6 +16,10 @@ constexpr std::array parameters{
     ParameterSpec{"rate", "K h-1", 0.0, -1000.0, 1000.0, "how fast the true temperature leaves the logged one", true,
                   0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"rate", -10.0, 10.0, "weather and test halls change by some K/h; recalled",
+                   "no air warms or cools that fast for long: measure its temperature"},
+};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 
 void transform(const ActiveEffect& active, Inputs& inputs) {
@@ -36,6 +40,7 @@ const Effect air_temperature_drift{
         "the "
         "air sees it; what a camera sees reflected stays the logged air. Without a rate it does nothing.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .model = InputCorrection{.transform = transform},
 };

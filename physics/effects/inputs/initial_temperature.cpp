@@ -15,6 +15,10 @@ enum : std::size_t { offset };
 constexpr std::array parameters{
     ParameterSpec{"offset", "K", 0.0, -200.0, 200.0, "true temperature at the start less the stated one", true, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"offset", -15.0, 15.0, "from a warm garage or the last run, some K to 15 K; recalled",
+                   "the run began before the log, or the first readings are not of this tire"},
+};
 constexpr std::array scopes{Scope::layer};
 
 /// Surface nodes belong to their cell's layer, lumped nodes to none.
@@ -40,6 +44,7 @@ const Effect initial_temperature{
         "Layers that start elsewhere than stated, such as a tire that soaked in the sun. What it changes decays with "
         "the time constants and leaves nothing. Without an offset it does nothing.",
     .parameters = parameters,
+    .plausible = plausible,
     .scopes = scopes,
     .on_layers = true,
     .model = InputCorrection{.start = start},

@@ -19,6 +19,12 @@ constexpr std::array parameters{
     delay_of("speed"),         delay_of("vertical_load"),      delay_of("slip_angle"), delay_of("slip_ratio"),
     delay_of("lateral_force"), delay_of("longitudinal_force"), delay_of("camber"),     delay_of("laser_power"),
 };
+constexpr std::array plausible{
+    PlausibleRange{
+        "*", -3.0, 3.0,
+        "clocks of two loggers and filters of estimated signals 0.1 to 1 s, aligned by eye some seconds; recalled",
+        "signals are not that late: compare their steps with those of another signal"},
+};
 constexpr std::array<std::string_view, 8> may_read{"speed",         "vertical_load",      "slip_angle", "slip_ratio",
                                                    "lateral_force", "longitudinal_force", "camber",     "laser_power"};
 
@@ -43,6 +49,7 @@ const Effect input_delay{
         "s: "
         "heat then rises after the tire has warmed up. Without a delay it does nothing.",
     .parameters = parameters,
+    .plausible = plausible,
     .may_read = may_read,
     .model = InputCorrection{.delay = delay},
 };

@@ -18,6 +18,12 @@ constexpr std::array parameters{
                   false, 1.0},
     ParameterSpec{"fall", "h-1", 0.0, -100.0, 100.0, "rate at which the power falls off, of itself", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"factor", 0.8, 1.05, "black rubber 0.90 to 0.97 with a power meter of 5 %, recalled",
+                   "black rubber reflects less than that: the conductivity is off"},
+    PlausibleRange{"fall", -0.2, 0.2, "power of a diode laser drifts by some per cent in an hour, recalled",
+                   "no laser ages that fast: something warms or cools slowly"},
+};
 constexpr std::array<std::string_view, 1> reads{"laser_power"};
 
 void transform(const ActiveEffect& active, Inputs& inputs) {
@@ -37,6 +43,7 @@ const Effect laser_absorptivity{
         "Light that the rubber reflects, and a laser whose power sags: front and back of a specimen fall by the same "
         "share and the time constant stays.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .model = InputCorrection{.transform = transform},
 };

@@ -14,6 +14,10 @@ enum : std::size_t { gain };
 constexpr std::array parameters{
     ParameterSpec{"gain", "1", 1.0, 0.0, 10.0, "true vertical load over the logged one", false, 1.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"gain", 0.9, 1.1, "load cells 1 %, loads estimated from a vehicle's motion 5 to 10 %; recalled",
+                   "no load is known that badly: the loss follows the load otherwise (load_exponent_of_loss)"},
+};
 constexpr std::array<std::string_view, 1> reads{"vertical_load"};
 
 void transform(const ActiveEffect& active, Inputs& inputs) { inputs.vertical_load *= active[gain]; }
@@ -30,6 +34,7 @@ const Effect load_input_gain{
     .meaning =
         "A load cell, or a load distribution, that is off by a factor: strain-energy loss, contact and radii follow.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .model = InputCorrection{.transform = transform},
 };

@@ -18,6 +18,11 @@ constexpr std::array parameters{
     // Without a value at which it is absent: a fit may free it where a case says so, and it is no cause by itself.
     ParameterSpec{"offset", "K", 0.0, -100.0, 100.0, "how much hotter the road is than given, at the start", true},
 };
+constexpr std::array plausible{
+    PlausibleRange{"rate", -30.0, 30.0,
+                   "asphalt between sun and shade 5 K in ten minutes, some K/h over a session; recalled",
+                   "no road warms or cools that fast for long: measure its temperature"},
+};
 constexpr std::array<std::string_view, 1> reads{"road_temperature"};
 
 void transform(const ActiveEffect& active, Inputs& inputs) {
@@ -35,9 +40,10 @@ const Effect road_temperature_drift{
     .valid = "drifts that are straight in time over the run",
     .meaning =
         "A track or drum that is hotter than given, or that warms or cools beside the log: the sun, or the tire's own "
-        "heat on a drum. Where nobody measured the road, give it the air's temperature and free the offset. Without a "
+        "heat on a drum. Where the road was not measured, give it the air's temperature and free the offset. Without a "
         "rate and an offset it does nothing.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .model = InputCorrection{.transform = transform},
 };

@@ -17,6 +17,11 @@ enum : std::size_t { gain };
 constexpr std::array parameters{
     ParameterSpec{"gain", "1", 1.0, 0.0, 10.0, "true sliding speed over that of the log", false, 1.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"gain", 0.7, 1.4,
+                   "wheel alignment, yaw and rolling radius leave slip uncertain by 10 to 30 %; recalled",
+                   "slip is logged in another unit or late, or a slow sensor flattens what sliding makes"},
+};
 constexpr std::array<std::string_view, 3> may_read{"slip_angle", "slip_ratio", "slip_speed"};
 
 /// On the tangent, not on the angle: the lateral sliding speed V tan(alpha), and with it the heat, take the gain exactly.
@@ -43,6 +48,7 @@ const Effect slip_input_gain{
         "and all other heat are as logged. From temperatures it cannot be told from the partition or lambda_y.",
     .compared = compared,
     .parameters = parameters,
+    .plausible = plausible,
     .may_read = may_read,
     .model = InputCorrection{.transform = transform},
 };

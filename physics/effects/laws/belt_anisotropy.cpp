@@ -21,6 +21,15 @@ constexpr std::array parameters{
     ParameterSpec{"circumference", "1", 10.0, 1e-3, 1e3, "factor on that along the circumference; recalled", false,
                   1.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{
+        "meridian", 1.0, 10.0,
+        "steel belts across their cords 0.4 to 1 over 0.3 to 0.45 W/(m K) through, along them up to 10; recalled",
+        "no layer of cords conducts along the meridian that much better than through"},
+    PlausibleRange{"circumference", 1.0, 33.0,
+                   "steel belts along their cords 1 to 10 over 0.3 to 0.45 W/(m K) through; recalled",
+                   "no layer of cords conducts along them that much better than through"},
+};
 constexpr std::array scopes{Scope::layer};
 
 void modify_properties(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, MaterialModel& material_model) {
@@ -48,6 +57,7 @@ const Effect belt_anisotropy{
         "the back, and peaks across the tread are blunted. A material with `[material.cord_rubber]` has its cords "
         "already.",
     .parameters = parameters,
+    .plausible = plausible,
     .scopes = scopes,
     .needs_grid = true,
     .on_layers = true,

@@ -19,6 +19,11 @@ constexpr std::array parameters{
     ParameterSpec{"c", "rad-1", 10.0, 0.0, 100.0,
                   "how much of a shoulder's loss moves per radian of camber; from geometry", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"c", 0.0, 20.0,
+                   "thesis: 15 K between the shoulders at 140 km/h, a few degrees of camber; 10 from geometry",
+                   "one shoulder would carry all of the loss at a few degrees of camber"},
+};
 constexpr std::array<std::string_view, 1> may_read{"camber"};
 
 void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs, Laws& laws) {
@@ -40,6 +45,7 @@ const Effect camber_asymmetry{
         "Camber loads one shoulder more than the other: with the top leaning inboard (negative camber) the inside one. "
         "The total stays. A mesh without shoulders does not show it.",
     .parameters = parameters,
+    .plausible = plausible,
     .may_read = may_read,
     .needs_tire = true,
     .needs_grid = true,

@@ -19,6 +19,15 @@ constexpr std::array parameters{
                   false, 0.571},
     ParameterSpec{"pivot", "m s-1", 25.0, 1.0, 100.0, "speed at which both exponents give the same coefficient"},
 };
+constexpr std::array confounded{
+    ConfoundedGroup{{"convection_exponent", "groove_convection", "air_convection.lambda_h"},
+                    "speed steps over a wide range at constant load: an exponent changes sign at one speed, area and "
+                    "level do not; standing still shows none of them"}};
+constexpr std::array plausible{
+    PlausibleRange{"exponent", 0.5, 0.85,
+                   "laminar 0.5 to turbulent 0.8 (boundary layers), Hilpert's cylinder 0.805 at Re > 40 000",
+                   "no flow over a body follows such a power of the speed"},
+};
 constexpr std::array<std::string_view, 1> reads{"speed"};
 
 /// Keeps the exponent that air_convection has, as its only weight.
@@ -50,6 +59,8 @@ const Effect convection_exponent{
         "Another growth of forced convection with speed, equal to the thesis's law at the pivot: less heat lost "
         "below it and more above, or the other way round. Coasting shows it too.",
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
     .reads = reads,
     .needs_tire = true,
     .model =

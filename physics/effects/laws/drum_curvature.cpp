@@ -17,6 +17,10 @@ constexpr std::array parameters{
     ParameterSpec{"curvature", "m-1", 1.1716, 0.0, 10.0,
                   "1 / radius of the drum; 1.1716 for the drum of 1.707 m diameter, 0 for a flat road", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"curvature", 0.0, 1.7, "definition: drums of 1.2 m (1.67) to 2 m (1.0) diameter, flat road 0",
+                   "there is no such drum"},
+};
 
 void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& /*inputs*/, Laws& laws) {
     laws.loss *= std::sqrt(1.0 + tire.unloaded_radius * active[curvature]);
@@ -35,6 +39,7 @@ const Effect drum_curvature{
         "A drum bends the contact more than a flat road: the loss is higher by one factor, 17 to 18 % on a drum of "
         "1.7 m diameter.",
     .parameters = parameters,
+    .plausible = plausible,
     .needs_tire = true,
     .model = PropertyModifier{.modify_laws = modify_laws},
 };

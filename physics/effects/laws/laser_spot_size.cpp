@@ -15,6 +15,10 @@ enum : std::size_t { scale };
 constexpr std::array parameters{
     ParameterSpec{"scale", "1", 1.0, 0.01, 100.0, "true radius of the spot over that of the laser effect", false, 1.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"scale", 0.7, 1.4, "beam radius by camera or knife edge 5 to 10 %, by eye 30 %; recalled",
+                   "the spot can be seen: measure it"},
+};
 constexpr std::array<std::string_view, 1> reads{"laser_power"};
 
 /// The laser effect finds the scale among the properties when it places its light.
@@ -35,6 +39,7 @@ const Effect laser_spot_size{
         "A spot that is wider or narrower than stated, at the same power. The laser effect reads it when it places "
         "its light: the front shows it, the back hardly.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .model = PropertyModifier{.modify_properties = modify_properties},
 };

@@ -17,6 +17,15 @@ constexpr std::array parameters{
     ParameterSpec{"slope", "K-1", 0.0, -1.0, 1.0, "added to dk/dT, over k at the reference", false, 0.0},
     ParameterSpec{"reference", "K", 293.15, 200.0, 500.0, "temperature about which the slope turns"},
 };
+constexpr std::array confounded{
+    ConfoundedGroup{{"layer_conductivity", "layer_heat_capacity"}, "a steady state: it sees the conductivity alone"}};
+constexpr std::array plausible{
+    PlausibleRange{"scale", 0.7, 1.5, "tread compounds 0.21 to 0.56 W/(m K) about the thesis's 0.29 (Clark, NASA 1983)",
+                   "no compound conducts that much otherwise: heat leaves by a path that the model lacks"},
+    PlausibleRange{"slope", -0.01, 0.03,
+                   "laws that the thesis identified with a laser rise by 3 % per K; compounds by far less, recalled",
+                   "no compound changes that fast with temperature: another loss grows with it"},
+};
 constexpr std::array scopes{Scope::layer};
 
 // The line is a share of k itself, so that factors on the same layer by other effects commute with it.
@@ -50,6 +59,8 @@ const Effect layer_conductivity{
         "A layer that conducts better or worse than stated, or changes otherwise with temperature; on two nodes the "
         "link between them. The ratio of back to front shows it, and with a slope the ratio of two powers.",
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
     .scopes = scopes,
     .on_layers = true,
     .model = PropertyModifier{.modify_properties = modify_properties},

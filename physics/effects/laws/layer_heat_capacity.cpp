@@ -14,6 +14,10 @@ enum : std::size_t { scale };
 constexpr std::array parameters{
     ParameterSpec{"scale", "1", 1.0, 1e-2, 1e2, "factor on c(T)", false, 1.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"scale", 0.8, 1.25, "1500 to 2100 J/(kg K) about the thesis's 1800; mass by weighing",
+                   "mass and specific heat are known better than that: a sensor is slow or gas, rim or belt take part"},
+};
 constexpr std::array scopes{Scope::layer};
 
 void modify_properties(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, MaterialModel& material_model) {
@@ -35,6 +39,7 @@ const Effect layer_heat_capacity{
     .meaning =
         "A layer that stores more or less heat than stated: every time constant in it changes, no steady state does.",
     .parameters = parameters,
+    .plausible = plausible,
     .scopes = scopes,
     .on_layers = true,
     .model = PropertyModifier{.modify_properties = modify_properties},

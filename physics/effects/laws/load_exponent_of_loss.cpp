@@ -17,6 +17,14 @@ constexpr std::array parameters{
     ParameterSpec{"exponent", "1", 0.0, -3.0, 3.0, "of the load, beside what the law has already", false, 0.0},
     ParameterSpec{"reference", "N", 4500.0, 1.0, 1e6, "load at which the loss is left as it is"},
 };
+constexpr std::array confounded{
+    ConfoundedGroup{{"load_exponent_of_loss", "strain_energy_loss.tan_delta_a", "drum_curvature"},
+                    "load steps at constant speed; the same tire on the drum and on a flat track"}};
+constexpr std::array plausible{
+    PlausibleRange{"exponent", -0.6, 0.6,
+                   "SAE J2452: loss with the load to the power 0.8 to 1.2 (recalled), where the thesis's law has 1.4",
+                   "no tire's loss follows the load like that: the load is logged wrong"},
+};
 constexpr std::array<std::string_view, 1> reads{"vertical_load"};
 
 void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
@@ -46,6 +54,8 @@ const Effect load_exponent_of_loss{
         "proportional to Fz, measured tires lie between Fz and Fz^2.",
     .compared = compared,
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
     .reads = reads,
     .needs_tire = true,
     .model = PropertyModifier{.modify_laws = modify_laws},

@@ -18,6 +18,11 @@ constexpr std::array parameters{
                   "added to the equivalent temperature per decade of frequency above the reference", true, 0.0},
     ParameterSpec{"reference", "Hz", 52.0, 1e-3, 1e6, "frequency at which the compound was characterised, f0 of (48)"},
 };
+constexpr std::array plausible{
+    PlausibleRange{"per_decade", -12.0, 12.0,
+                   "WLF with the thesis's constants shifts 11.5 K per decade at f0; an error of it is not larger",
+                   "no compound shifts that much with frequency"},
+};
 constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
 
 void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {
@@ -40,6 +45,7 @@ const Effect loss_frequency_shift{
         "A time-temperature shift that is wrong: the loss tangent at a given temperature changes with the logarithm of "
         "the speed. None at the frequency of the characterisation, none where there is no loss.",
     .parameters = parameters,
+    .plausible = plausible,
     .reads = reads,
     .needs_tire = true,
     .model = PropertyModifier{.modify_laws = modify_laws},

@@ -18,6 +18,14 @@ constexpr std::array parameters{
     ParameterSpec{"reference", "K", 333.15, 200.0, 500.0,
                   "bulk temperature at which the loss tangent is left as it is"},
 };
+constexpr std::array confounded{
+    ConfoundedGroup{{"loss_tangent_slope", "loss_frequency_shift"},
+                    "drag force, or the same speed at different bulk temperatures: a slope follows the temperature, "
+                    "a shift the frequency"}};
+constexpr std::array plausible{
+    PlausibleRange{"slope", -0.01, 0.01, "thesis: -1.4 % per K; compounds 0 to -2 % per K, recalled",
+                   "the loss would rise with temperature, or fall twice as fast as that of any compound"},
+};
 
 LossFactor scale_loss(const EvaluationState& m) {
     const int bulk = m.mesh.find_region("bulk");
@@ -40,6 +48,8 @@ const Effect loss_tangent_slope{
         "of "
         "the reference, less on the other. Follows the bulk's mean also where the loss tangent is local.",
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
     .needs_tire = true,
     .model = PropertyModifier{.scale_loss = scale_loss},
 };

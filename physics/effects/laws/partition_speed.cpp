@@ -20,6 +20,14 @@ constexpr std::array parameters{
         "(slope < 0) where fresh road comes in",
         false, 0.0},
 };
+constexpr std::array confounded{
+    ConfoundedGroup{{"partition_speed", "slip_input_gain"}, "the same slip angle at several speeds"}};
+constexpr std::array plausible{
+    PlausibleRange{"slope", -0.3, 0.3,
+                   "shares of 0.3 to 0.9 in the place of 0.6 over the 1.5 to 2 m/s of sliding of a corner (6 deg at 60 "
+                   "km/h); recalled",
+                   "the share would leave 0.3 to 0.85 at usual sliding speeds"},
+};
 constexpr std::array<std::string_view, 1> reads{"speed"};
 constexpr std::array<std::string_view, 3> may_read{"slip_angle", "slip_ratio", "slip_speed"};
 
@@ -44,6 +52,8 @@ const Effect partition_speed{
         "The tire's share of the friction heat changes with the sliding speed. The line is not clamped above: a share "
         "beyond 1 says that a term is missing. Without a slope it does nothing.",
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
     .reads = reads,
     .may_read = may_read,
     .model = PropertyModifier{.modify_laws = modify_laws},

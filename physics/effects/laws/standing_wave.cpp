@@ -21,6 +21,19 @@ constexpr std::array parameters{
         "critical_speed", "km h-1", 140.0, 0.0, 500.0,
         "speed at which the wave appears; 200 to 300 km/h for a car tire at its pressure, recalled; less with less"},
 };
+/// The signature begins at the wave's speed.
+constexpr std::array trials{
+    TrialValues{.parameter = "gain",
+                .other = "critical_speed",
+                .held = {80.0, 95.0, 110.0, 125.0, 140.0, 155.0, 170.0, 190.0, 215.0, 245.0}},
+};
+constexpr std::array plausible{
+    PlausibleRange{"gain", 0.0, 1e-3, "the loss doubles within 30 to 100 km/h above the wave's speed; recalled",
+                   "the tire would not last a minute above that speed"},
+    PlausibleRange{"critical_speed", 80.0, 350.0,
+                   "200 to 300 km/h at the right pressure, from 80 km/h at a low one; recalled",
+                   "below it no tire has a standing wave"},
+};
 constexpr std::array<std::string_view, 1> reads{"speed"};
 constexpr double metres_per_second_in_kmh = 3.6;
 
@@ -50,6 +63,8 @@ const Effect standing_wave{
         "Nothing below. The wave heats the shoulders first; here the excess is spread as the loss is.",
     .compared = compared,
     .parameters = parameters,
+    .plausible = plausible,
+    .trials = trials,
     .reads = reads,
     .model = PropertyModifier{.modify_laws = modify_laws},
 };

@@ -19,6 +19,9 @@ constexpr std::array parameters{
     ParameterSpec{"depth", "m", 0.003, 0.0, 0.05, "rubber worn off the outer layer; 8 mm of tread end at 1.6 mm", false,
                   0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"depth", 0.0, 0.0065, "definition: 8 mm of tread that end at 1.6 mm", "more tread is not there"},
+};
 double thickness_of_outer_layer(const mesh::Mesh& mesh) {
     double thickness = 0.0;
     if (mesh.grid) {
@@ -75,6 +78,7 @@ const Effect tread_wear{
         "A tread that has lost rubber, spread evenly over the outer layer, the same during the whole run. The layer "
         "takes its smaller share of the strain-energy loss by mass; the law of the total is that of the new tire.",
     .parameters = parameters,
+    .plausible = plausible,
     .needs_grid = true,
     .invalid_on_mesh = invalid_on_mesh,
     .model = PropertyModifier{.modify_properties = modify_properties},

@@ -20,6 +20,14 @@ constexpr std::array parameters{
     ParameterSpec{"reflected_temperature", "K", 293.15, 0.0, 3000.0,
                   "of the surroundings that the surface mirrors, with reflects = \"stated\""},
 };
+constexpr std::array confounded{
+    ConfoundedGroup{{"camera_emissivity", "sidewall_convection"},
+                    "a contact probe on the surface, or a soak at the temperature of the air"}};
+constexpr std::array plausible{
+    PlausibleRange{"emissivity", 0.85, 1.0,
+                   "rubber 0.90 to 0.95 (radiation of tires, recalled), less where it is polished",
+                   "rubber is blacker than that: the camera is off by another cause"},
+};
 constexpr std::array<std::string_view, 2> mirrored{"air", "stated"};
 constexpr std::array choices{
     Choice{"reflects", mirrored, "whose temperature is mirrored: the air's, or reflected_temperature"}};
@@ -49,6 +57,8 @@ const Effect camera_emissivity{
         "too "
         "high below, by 3 K at 80 degC for an emissivity of 0.95.",
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
     .choices = choices,
     .scopes = scopes,
     .reads = reads,

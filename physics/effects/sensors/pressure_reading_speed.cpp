@@ -14,6 +14,11 @@ enum : std::size_t { kappa };
 constexpr std::array parameters{
     ParameterSpec{"kappa", "s2 m-2", 1e-5, 0.0, 1.0, "1 % low at 32 m/s; assumed", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"kappa", 0.0, 5e-5,
+                   "readings of wheel modules fall by 1 % at 32 m/s (1e-5 s2/m2), some more; assumed",
+                   "no pressure sensor is that sensitive to its rotation"},
+};
 constexpr std::array scopes{Scope::channel};
 constexpr std::array<std::string_view, 1> reads{"speed"};
 
@@ -39,6 +44,7 @@ const Effect pressure_reading_speed{
         "speed. For channels of pressure.",
     .compared = compared,
     .parameters = parameters,
+    .plausible = plausible,
     .scopes = scopes,
     .reads = reads,
     .model =

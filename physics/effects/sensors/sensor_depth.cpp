@@ -14,6 +14,10 @@ enum : std::size_t { offset };
 constexpr std::array parameters{
     ParameterSpec{"offset", "m", 0.0, -0.1, 0.1, "how much deeper than stated the sensor sits", false, 0.0},
 };
+constexpr std::array plausible{
+    PlausibleRange{"offset", -0.003, 0.003, "a hole for a probe is drilled to 1 to 2 mm; recalled",
+                   "depths are known better than that: another cause makes the gradient"},
+};
 constexpr std::array scopes{Scope::channel};
 
 double depth_offset(const ActiveEffect& active, std::size_t position) {
@@ -33,6 +37,7 @@ const Effect sensor_depth{
         "A probe that sits deeper or shallower than stated, for channels that read at a point: what it changes follows "
         "the heat flux and vanishes in a soaked tire. Without an offset it does nothing.",
     .parameters = parameters,
+    .plausible = plausible,
     .scopes = scopes,
     .needs_grid = true,
     .model =

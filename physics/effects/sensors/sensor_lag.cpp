@@ -15,6 +15,22 @@ constexpr std::array parameters{
     ParameterSpec{"tau", "s", 10.0, 0.0, 1e5,
                   "time constant; 5 to 20 s of a probe in rubber, 125 to 180 s in gas, recalled", false, 0.0},
 };
+constexpr std::array confounded{
+    ConfoundedGroup{{"sensor_lag", "clock_delay"},
+                    "a step of the load or the laser: a lag rounds it, a delay moves it; a finer grid, for coarse "
+                    "cells lag too"}};
+constexpr std::array plausible{
+    PlausibleRange{"tau", 0.0, 180.0, "infrared sensors below 3 s, probes 5 to 20 s, gas 125 to 180 s; recalled",
+                   "no sensor is that slow: something stores heat that the model lacks"},
+    PlausibleRange{
+        "tau", 0.0, 3.0, "response times of infrared sensors 10 ms to 1 s with the logger's filter; recalled",
+        "no infrared sensor is that slow: the surface stores more heat than the model's, or the grid is too coarse",
+        SensorKind::infrared},
+    PlausibleRange{"tau", 0.0, 30.0, "probes in rubber 5 to 20 s; recalled",
+                   "no probe is that slow: something stores heat that the model lacks", SensorKind::probe},
+    PlausibleRange{"tau", 0.0, 180.0, "sensors of wheel modules 125 to 180 s; recalled",
+                   "no sensor in a wheel is that slow: the rim or the gas stores more heat", SensorKind::gas},
+};
 constexpr std::array scopes{Scope::channel};
 
 double lag(const ActiveEffect& active, std::size_t position) {
@@ -34,6 +50,8 @@ const Effect sensor_lag{
         "A sensor that is slow: it reads too low while the tire heats, too high while it cools, and right when nothing "
         "changes.",
     .parameters = parameters,
+    .plausible = plausible,
+    .confounded = confounded,
     .scopes = scopes,
     .model = SensorModel{.lag = lag},
 };

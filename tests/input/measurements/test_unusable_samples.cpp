@@ -201,7 +201,7 @@ TEST(UnusableSamples, SensorsThatStandStillTogetherAreLeftOut) {
     const Read found = read(log);
     ASSERT_FALSE(found.findings.empty());
     EXPECT_TRUE(
-        found.findings.back().starts_with("run1.csv: surface_temperature, bulk_temperature stand still together, "
+        found.findings.back().starts_with("run1.csv: surface_temperature, bulk_temperature are constant together, "
                                           "from 300 s to 339 s: did the logger stop?"))
         << found.findings.back();
     EXPECT_GE(found.missing(), 40U);

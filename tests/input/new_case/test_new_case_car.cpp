@@ -115,7 +115,7 @@ TEST(NewCaseCar, ReadingsSideBySideTakeACrossSection) {
     EXPECT_EQ(column_of(made, "Tyre Temp FL Outer").name, "outside_shoulder_surface_temperature");
     const NewCase lumped = make(written, "225/50 R17", "two_node", "zones.csv");
     EXPECT_EQ(column_of(lumped, "Tyre Temp FL Outer").reason,
-              "the mesh two_node has no place for outside_shoulder_surface_temperature, --mesh section has");
+              "the mesh two_node cannot represent outside_shoulder_surface_temperature, --mesh section can");
 }
 
 TEST(NewCaseCar, NoTireLosesItsOnlyReadingToTheMesh) {

@@ -201,7 +201,7 @@ TEST(NewCaseLog, SensorsOfOneSideAndForcesHaveTheirPlace) {
     EXPECT_EQ(reading.experiment->runs.at(0).series.size(), 4U);
     const NewCase two_node = make(written, "225/50 R17", "two_node", "drive.csv");
     EXPECT_EQ(column_of(two_node, "crown_surface_temperature").reason,
-              "the mesh two_node has no place for it, --mesh section has");
+              "the mesh two_node cannot represent it, --mesh section can");
     EXPECT_TRUE(column_of(two_node, "drag_force").is_sensor);
 }
 

@@ -285,7 +285,7 @@ TEST(Runs, ANumberOfTheCaseCountsInEachRunWithAWarning) {
     EXPECT_EQ(runs[1].numbers.size(), 1U);
     ASSERT_EQ(reading.warnings.size(), 1U) << error_report(reading);
     EXPECT_TRUE(
-        reading.warnings[0].ends_with("the numbers of the case count in each of 2 runs: give them to the run in "
+        reading.warnings[0].ends_with("the [[measured]] values of the case apply to each of 2 runs: give them to the run in "
                                       "which they were measured"));
     // Without uncertainty it only stands beside the simulated ones.
     const ExperimentReading shown = Bench(std::string(both) + replaced(number, "uncertainty = \"1 K\"\n", "")).read();

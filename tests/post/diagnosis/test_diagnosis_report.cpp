@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "diagnosis/detect/confounded_effects.hpp"
 #include "input/runs/reader.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/report/file.hpp"
@@ -312,21 +311,6 @@ TEST(DiagnosisReport, AUnitIsWrittenAsAFraction) {
     EXPECT_EQ(slashed_unit("N m"), "N m");
     EXPECT_EQ(slashed_unit("-"), "-");
     EXPECT_EQ(slashed_unit(""), "");
-}
-
-TEST(DiagnosisReport, ConfoundedGroupsAreOfCausesThatThereAre) {
-    for (const ConfoundedGroup& group : confounded_groups()) {
-        EXPECT_GE(group.members.size(), 2u);
-        for (const std::string_view member : group.members) {
-            const std::string_view id = member.substr(0, member.find('.'));
-            const physics::Effect* effect = physics::find_effect(id);
-            ASSERT_NE(effect, nullptr) << member;
-            if (id != member) {
-                EXPECT_GE(physics::find_parameter(*effect, member.substr(id.size() + 1)), 0) << member;
-            }
-        }
-    }
-    EXPECT_TRUE(confounded_groups_of("standing_wave").empty());
 }
 
 // 3 runs of 601 samples of 2 channels. In white noise of 0.5 and 0.3 K, 0.5 K too cold are

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "input/tables/data_file.hpp"
+#include "physics/celsius.hpp"
 #include "post/fields/csv_writer.hpp"
-#include "solver/celsius.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {

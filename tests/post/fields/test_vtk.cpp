@@ -20,9 +20,9 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "mesh/ring.hpp"
+#include "physics/celsius.hpp"
 #include "post/fields/vtk_writer.hpp"
 #include "post/report/file.hpp"
-#include "solver/celsius.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {
@@ -72,7 +72,7 @@ TEST(Vtk, CellsAreReadBackInDegreesCelsius) {
     ASSERT_NE(layers, nullptr);
     for (int cell = 0; cell < problem.mesh.n_cells; ++cell) {
         const auto at = static_cast<std::size_t>(cell);
-        EXPECT_NEAR(cells->GetTuple1(cell), solver::celsius(sample::warmth(problem.mesh.centre[at][2], 7.5)), single);
+        EXPECT_NEAR(cells->GetTuple1(cell), celsius(sample::warmth(problem.mesh.centre[at][2], 7.5)), single);
         EXPECT_EQ(cells->GetTuple1(cell), cells->GetTuple1(problem.mesh.n_cells + cell));
         EXPECT_EQ(layers->GetTuple1(cell), problem.mesh.layer[at]);
     }
@@ -95,7 +95,7 @@ TEST(Vtk, PointsOfTheSurfaceShowTheSurfaceNotTheOutermostCells) {
     ASSERT_NE(points, nullptr);
     for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i) {
         const double depth = -reader->GetOutput()->GetPoint(i)[2];
-        EXPECT_NEAR(points->GetTuple1(i), solver::celsius(sample::warmth(depth, 0.0)), 4.0 * single);
+        EXPECT_NEAR(points->GetTuple1(i), celsius(sample::warmth(depth, 0.0)), 4.0 * single);
         EXPECT_EQ(reader->GetOutput()->GetPoint(i)[1], 0.0);  // or turning the half plane about z would make a tube
     }
 }
@@ -130,7 +130,7 @@ TEST(Vtk, SectionIsFoldedWithItsLayersAndZones) {
         const double* place = grid->GetPoint(i);
         if (std::abs(place[0] - 0.06) < 1e-7 && std::abs(place[2] - 0.3) < 1e-7) {
             found = true;
-            EXPECT_NEAR(points->GetTuple1(i), solver::celsius(306.0), single);
+            EXPECT_NEAR(points->GetTuple1(i), celsius(306.0), single);
         }
     }
     EXPECT_TRUE(found);
@@ -241,7 +241,7 @@ TEST(Vtk, EveryKindIsWrittenWholeWithItsVolume) {
         for (int cell = 0; cell < kind.copies * kind.mesh.n_cells; ++cell) {
             const int of_mesh = cell % kind.mesh.n_cells;
             EXPECT_EQ(grid->GetCellType(cell), kind.type);
-            EXPECT_NEAR(cells->GetTuple1(cell), solver::celsius(300.0 + 0.125 * of_mesh), 8e-6 + 1e-7 * of_mesh);
+            EXPECT_NEAR(cells->GetTuple1(cell), celsius(300.0 + 0.125 * of_mesh), 8e-6 + 1e-7 * of_mesh);
             EXPECT_EQ(layers->GetTuple1(cell), kind.mesh.layer[static_cast<std::size_t>(of_mesh)]);
             volume += volumes->GetTuple1(cell);
         }

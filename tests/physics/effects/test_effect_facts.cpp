@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of plausible ranges: complete, inside what the effects allow, and different for kinds of sensors.
+// Facts of the effects beside their equations: plausible ranges are complete, inside what the effects allow and different
+// for kinds of sensors; groups of like signatures and trial values are of effects and parameters that there are.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -50,20 +51,17 @@ TEST(PlausibleRanges, EveryParameterThatCanBeACauseHasOneThatHoldsItsAbsence) {
 }
 
 TEST(PlausibleRanges, EachHasASourceAndAReasonAndBelongsToAParameterOnce) {
-    std::set<std::tuple<std::string_view, std::string_view, SensorKind>> seen;
-    for (const PlausibleRange& range : plausible_ranges()) {
-        const std::string name = std::string(range.effect) + "." + std::string(range.parameter);
-        EXPECT_TRUE(seen.insert({range.effect, range.parameter, range.sensor}).second) << name << " is there twice";
-        EXPECT_GE(range.source.size(), 10U) << name;
-        EXPECT_GE(range.why.size(), 10U) << name;
-        const Effect* effect = find_effect(range.effect);
-        if (effect == nullptr) {
-            EXPECT_EQ(range.effect, "input_delay");  // an effect of the catalogue that may come
-            continue;
+    for (const Effect* effect : catalogue()) {
+        std::set<std::tuple<std::string_view, SensorKind>> seen;
+        for (const PlausibleRange& range : effect->plausible) {
+            const std::string name = std::string(effect->id) + "." + std::string(range.parameter);
+            EXPECT_TRUE(seen.insert({range.parameter, range.sensor}).second) << name << " is there twice";
+            EXPECT_GE(range.source.size(), 10U) << name;
+            EXPECT_GE(range.why.size(), 10U) << name;
+            const bool is_law = effect->id == "conduction" && plausible_range_of_law(range.parameter) == &range;
+            EXPECT_TRUE(is_law || range.parameter == "*" || find_parameter(*effect, range.parameter) >= 0) << name;
+            EXPECT_TRUE(range.sensor == SensorKind::any || effect->sensor_model() != nullptr) << name;
         }
-        const bool is_law = range.effect == "conduction" && plausible_range_of_law(range.parameter) == &range;
-        EXPECT_TRUE(is_law || range.parameter == "*" || find_parameter(*effect, range.parameter) >= 0) << name;
-        EXPECT_TRUE(range.sensor == SensorKind::any || effect->sensor_model() != nullptr) << name;
     }
     EXPECT_EQ(plausible_range_of_law("viscosity"), nullptr);
 }
@@ -92,6 +90,55 @@ TEST(PlausibleRanges, SizesThatNobodyWouldBelieveAreOutside) {
     // Nothing is known of the conductivity of air in a law: everything is plausible.
     const Effect& air = *find_effect("air_convection");
     EXPECT_TRUE(is_plausible(air, static_cast<std::size_t>(find_parameter(air, "air_viscosity")), 1e-3));
+}
+
+TEST(ConfoundedGroups, AreOfEffectsAndParametersThatThereAreAndStandWithTheirFirst) {
+    for (const Effect* effect : catalogue()) {
+        for (const ConfoundedGroup& group : effect->confounded) {
+            EXPECT_EQ(group.members[0].substr(0, group.members[0].find('.')), effect->id);
+            EXPECT_FALSE(group.members[1].empty()) << effect->id;
+            EXPECT_GE(group.separated.size(), 10U) << effect->id;
+            for (const std::string_view member : group.members) {
+                const std::string_view id = member.substr(0, member.find('.'));
+                const Effect* named = find_effect(id);
+                ASSERT_TRUE(member.empty() || named != nullptr) << member;
+                if (id != member) {
+                    EXPECT_GE(find_parameter(*named, member.substr(id.size() + 1)), 0) << member;
+                }
+            }
+        }
+    }
+}
+
+TEST(TrialValues, AreOfParametersThatThereAreAndWithinTheirBounds) {
+    for (const Effect* effect : catalogue()) {
+        for (const TrialValues& one : effect->trials) {
+            SCOPED_TRACE(std::string(effect->id) + "." + std::string(one.parameter));
+            const int index = find_parameter(*effect, one.parameter);
+            ASSERT_GE(index, 0);
+            const ParameterSpec& parameter = effect->parameters[static_cast<std::size_t>(index)];
+            EXPECT_FALSE(std::isnan(parameter.absent)) << "is no candidate";
+            EXPECT_EQ(std::ranges::count(effect->trials, one.parameter, &TrialValues::parameter), 1) << "twice";
+            for (const double value : one.trials) {
+                EXPECT_TRUE(value == 0.0 || (value >= parameter.low && value <= parameter.high)) << value;
+            }
+            if (one.other.empty()) {
+                EXPECT_EQ(one.factor, 0.0);
+                EXPECT_EQ(one.held[0], 0.0);
+                continue;
+            }
+            const int other_index = find_parameter(*effect, one.other);
+            ASSERT_GE(other_index, 0) << one.other;
+            const ParameterSpec& other = effect->parameters[static_cast<std::size_t>(other_index)];
+            const auto end = std::ranges::find(one.held, 0.0);
+            EXPECT_TRUE(std::is_sorted(one.held.begin(), end));
+            EXPECT_NE(end - one.held.begin(), 1) << "a single value has no neighbour";
+            for (auto value = one.held.begin(); value != end; ++value) {
+                EXPECT_GE(*value, other.low);
+                EXPECT_LE(*value, other.high);
+            }
+        }
+    }
 }
 
 }  // namespace tiretherm::physics
