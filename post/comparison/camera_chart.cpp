@@ -53,7 +53,7 @@ void add_means(std::vector<float>& celsius, const Squares& squares, const std::v
     std::vector<double> count(squares.index.size(), 0.0);
     const std::size_t pixels = squares.of_pixel.size();
     for (std::size_t p = 0; p < pixels; ++p) {
-        sum[squares.of_pixel[p]] += celsius(kelvin[frame * pixels + p]);
+        sum[squares.of_pixel[p]] += tiretherm::celsius(kelvin[frame * pixels + p]);
         count[squares.of_pixel[p]] += 1.0;
     }
     for (std::size_t i = 0; i < sum.size(); ++i) {
