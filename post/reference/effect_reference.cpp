@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/detect/confounded_effects.hpp"
 #include "physics/plausible_ranges.hpp"
 #include "post/report/table.hpp"
 
@@ -108,6 +109,23 @@ DataTable ranges_of(const physics::Effect& effect) {
     return table;
 }
 
+/// Groups that the effect or one of its parameters belongs to.
+DataTable confounded_of(const physics::Effect& effect) {
+    DataTable table;
+    for (const physics::Effect* one : physics::catalogue()) {
+        for (const physics::ConfoundedGroup& group : one->confounded) {
+            const auto own = std::ranges::find_if(group.members, [&](std::string_view member) {
+                return member.substr(0, member.find('.')) == effect.id;
+            });
+            if (own != group.members.end()) {
+                table.add({{"like it", "confounded_with", diagnosis::others_of(group, *own)},
+                           {"what tells them apart", "separated_by", group.separated}});
+            }
+        }
+    }
+    return table;
+}
+
 DataTable choices_of(const physics::Effect& effect) {
     DataTable table;
     for (const physics::Choice& choice : effect.choices) {
@@ -162,6 +180,7 @@ Report effect_report(const physics::Effect& effect) {
     add(report, "Parameters", "parameters", parameters_of(effect));
     add(report, "Plausible ranges, in which the parameters of a tire are expected", "plausible_ranges",
         ranges_of(effect));
+    add(report, "Confounded in a diagnosis", "confounded", confounded_of(effect));
     add(report, "Words", "choices", choices_of(effect));
     add(report, "Tables", "tables", tables_of(effect));
     add(report, "From files", "from_files", field_text(effect));
