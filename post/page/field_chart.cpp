@@ -165,16 +165,12 @@ int columns_worth_drawing(const mesh::Grid& grid, const std::vector<Moment>& sho
     return kept >= all || x[static_cast<std::size_t>(kept)] > 2.0 / 3.0 * x.back() ? all : kept;
 }
 
-/// Lines and names of the layers of a plane, whose rows of cells begin and end with them.
-struct PlaneLayers {
-    Value::List borders;
-    Value::List places;
-};
-
-PlaneLayers layers_of_plane(const mesh::Mesh& mesh, const Range& across) {
+/// Lines and names of the layers of a plane.
+Value layers_of_plane(const mesh::Mesh& mesh, const Range& across) {
     const mesh::Grid& grid = *mesh.grid;
     const auto layer = [&](int row) { return mesh.layer[static_cast<std::size_t>(grid.cell(0, 0, row))]; };
-    PlaneLayers found;
+    Value::List borders;
+    Value::List places;
     double top = grid.edge[2].front();
     for (int k = 0; k < grid.size(2); ++k) {
         const bool is_last = k + 1 == grid.size(2);
@@ -182,15 +178,15 @@ PlaneLayers layers_of_plane(const mesh::Mesh& mesh, const Range& across) {
             continue;
         }
         const double bottom = grid.edge[2][static_cast<std::size_t>(k) + 1];
-        found.places.emplace_back(Value{{"name", in_words(mesh.layers[static_cast<std::size_t>(layer(k))])},
-                                        {"x", across.low},
-                                        {"y", mm(0.5 * (top + bottom))}});
+        places.emplace_back(Value{{"name", in_words(mesh.layers[static_cast<std::size_t>(layer(k))])},
+                                  {"x", across.low},
+                                  {"y", mm(0.5 * (top + bottom))}});
         if (!is_last) {
-            found.borders.emplace_back(Value::List{across.low, mm(bottom), across.high, mm(bottom)});
+            borders.emplace_back(Value::List{across.low, mm(bottom), across.high, mm(bottom)});
         }
         top = bottom;
     }
-    return found;
+    return {{"borders", std::move(borders)}, {"names", Value::List{}}, {"layer_places", std::move(places)}};
 }
 
 /// The cells of a plane, row by row from the surface on.
@@ -212,20 +208,14 @@ Value outline_of_plane(const mesh::Mesh& mesh, const PlaneColumns& columns) {
     }
     const Range depth{.low = per_metre * grid.edge[2].front(), .high = per_metre * grid.edge[2].back()};
     const double whole = per_metre * grid.edge[0].back();
-    PlaneLayers found = layers_of_plane(mesh, across);
-    return {
-        {"x", axis(columns.kept < grid.size(0) ? fmt::format("across, shown to {:.3g} of {:.3g}", across.high, whole)
-                                               : std::string("across"),
-                   across, 0.0, false)},
-        {"y", axis("depth", depth, 0.0, true)},
-        {"corners", 4},
-        {"columns", columns.count()},
-        {"polygons", std::move(polygons)},
-        {"layers", std::move(layers)},
-        {"layer_names", mesh.layers},
-        {"borders", std::move(found.borders)},
-        {"names", Value::List{}},
-        {"layer_places", std::move(found.places)}};
+    const bool is_cut = columns.kept < grid.size(0);
+    const std::string name = is_cut ? fmt::format("across, shown to {:.3g} of {:.3g}", across.high, whole) : "across";
+    Value data{
+        {"x", axis(name, across, 0.0, false)}, {"y", axis("depth", depth, 0.0, true)}, {"corners", 4},
+        {"columns", columns.count()},          {"polygons", std::move(polygons)},      {"layers", std::move(layers)},
+        {"layer_names", mesh.layers}};
+    data.set(layers_of_plane(mesh, across));
+    return data;
 }
 
 /// The cells of a folded section, each with arcs for its inner and outer side.

@@ -30,22 +30,8 @@ constexpr const char* legend =
     "experiments, with the plausible range as two standard deviations. Numbers of one id, and those that are read from "
     "the same test, are one experiment.";
 
-std::string decimal(double value, const std::string& unit) {
-    return fmt::format("{:.{}f}", value, unit == "s" || unit == "N/rad" ? 0 : unit == "1" ? 3 : 1);
-}
-
-std::string measured_text(const Row& row) {
-    const std::string spread = row.is_open ? "" : fmt::format(" +- {}", decimal(row.uncertainty, row.unit));
-    if (std::isinf(row.low)) {
-        return "< " + decimal(row.high, row.unit);
-    }
-    if (std::isinf(row.high)) {
-        return "> " + decimal(row.low, row.unit);
-    }
-    return (row.low == row.high ? decimal(row.low, row.unit)
-                                : decimal(row.low, row.unit) + " to " + decimal(row.high, row.unit)) +
-           spread;
-}
+/// A difference of a row; 0 within a measured range.
+Cell off_cell(const Row& row, double off) { return {off, off == 0.0 ? "0" : in_digits_of(row.unit, off)}; }
 
 std::string fitted_text(const Attempt& attempt) {
     if (!attempt.addition.is_fitted()) {
@@ -88,13 +74,20 @@ DataTable row_table(const QuotedDiagnosis& result, const Analysis& analysis) {
         if (!analysis.counts[r]) {
             continue;
         }
-        const double before = row.residual(row.value);
         const double after = row.residual(row.value + analysis.after[r]);
-        table.add({page_only("", row.id), page_only("what", row.what), page_only("measured", right(measured_text(row))),
-                   page_only("unit", row.unit), page_only("model", right(decimal(row.value, row.unit))),
-                   page_only("off", right(before == 0.0 ? "0" : decimal(before, row.unit))),
-                   page_only("u", right(decimal(row.total(), row.unit))),
-                   page_only("left", right(after == 0.0 ? "0" : decimal(after, row.unit))),
+        const std::string spread = row.is_open ? "" : " +- " + in_digits_of(row.unit, row.uncertainty);
+        table.add({{"", "id", row.id},
+                   {"what", "what", row.what},
+                   page_only("measured", right(range_text(row.unit, row.low, row.high) + spread)),
+                   {"unit", "unit", row.unit},
+                   data_only("experiment", result.numbers.experiments[row.experiment]),
+                   data_only("low", row.low),
+                   data_only("high", row.high),
+                   data_only("decidable", row.decidable),
+                   {"model", "value", {row.value, in_digits_of(row.unit, row.value)}},
+                   {"off", "before", off_cell(row, row.residual(row.value))},
+                   {"u", "uncertainty", {row.total(), in_digits_of(row.unit, row.total())}},
+                   {"left", "after", off_cell(row, after)},
                    page_only("left / u", shown("{:.1f}", after / row.total()))});
     }
     return table;
@@ -183,27 +176,6 @@ Value attempts_data(const Analysis& analysis) {
     return list;
 }
 
-Value rows_data(const QuotedDiagnosis& result, const Analysis& analysis) {
-    Value::List list;
-    for (std::size_t r = 0; r < result.numbers.rows.size(); ++r) {
-        const Row& row = result.numbers.rows[r];
-        if (analysis.counts[r]) {
-            list.push_back({{"id", row.id},
-                            {"what", row.what},
-                            {"unit", row.unit},
-                            {"experiment", result.numbers.experiments[row.experiment]},
-                            {"low", row.low},
-                            {"high", row.high},
-                            {"decidable", row.decidable},
-                            {"uncertainty", row.total()},
-                            {"value", row.value},
-                            {"before", row.residual(row.value)},
-                            {"after", row.residual(row.value + analysis.after[r])}});
-        }
-    }
-    return list;
-}
-
 Value names_data(const QuotedDiagnosis& result, const std::vector<std::size_t>& experiments) {
     Value::List list;
     for (const std::size_t one : experiments) {
@@ -265,7 +237,7 @@ Value analysis_data(const QuotedDiagnosis& result, const Analysis& analysis) {
             {"steps", std::move(steps)},
             {"set", std::move(set)},
             {"gain", gain_data(analysis)},
-            {"rows", rows_data(result, analysis)}};
+            {"rows", row_table(result, analysis).data()}};
 }
 
 Section attempt_section(const char* heading, const Analysis& analysis) {

@@ -43,6 +43,23 @@ std::string in_words(std::string name) {
 
 std::string difference_unit(std::string_view unit) { return std::string(unit == "degC" ? "K" : unit); }
 
+std::string in_digits_of(std::string_view unit, double value) {
+    return without_sign_of_zero(fmt::format("{:.{}f}", value,
+                                            unit == "1"                      ? 3
+                                            : unit == "s" || unit == "N/rad" ? 0
+                                                                             : 1));
+}
+
+std::string range_text(std::string_view unit, double low, double high) {
+    if (std::isinf(low)) {
+        return "< " + in_digits_of(unit, high);
+    }
+    if (std::isinf(high)) {
+        return "> " + in_digits_of(unit, low);
+    }
+    return in_digits_of(unit, low) + (low == high ? "" : " to " + in_digits_of(unit, high));
+}
+
 std::string slashed_unit(std::string_view unit) {
     std::vector<std::string> above;
     std::vector<std::string> below;

@@ -19,6 +19,12 @@ inline constexpr double compact_from = 1e9;
 /// A number with so many digits behind the point, by powers of ten from `compact_from` on; "-" where it is not finite.
 [[nodiscard]] std::string with_decimals(double value, int decimals);
 
+/// A number with the digits that measured numbers of its unit have: none of s and N/rad, three of ratios, one of others.
+[[nodiscard]] std::string in_digits_of(std::string_view unit, double value);
+
+/// "47.0 to 48.0", "> 60.0", "< 5.0", "47.0": a measured range, open where an end is not finite.
+[[nodiscard]] std::string range_text(std::string_view unit, double low, double high);
+
 /// A unit as engineers write it: "W m-2 K-1" as W/(m2 K), "N-1" as 1/N. One without negative powers stays as it is.
 [[nodiscard]] std::string slashed_unit(std::string_view unit);
 

@@ -133,15 +133,20 @@ void DataTable::add_to_page(Row row) {
     rows_.push_back(std::move(row));
 }
 
+Value object_of(const std::vector<Field>& row) {
+    Value object;
+    for (const Field& field : row) {
+        if (!field.key.empty()) {
+            object.set(field.key, field.cell.value);
+        }
+    }
+    return object;
+}
+
 Value DataTable::data() const {
     Value::List list;
     for (const Row& row : rows_) {
-        Value object;
-        for (const Field& field : row) {
-            if (!field.key.empty()) {
-                object.set(field.key, field.cell.value);
-            }
-        }
+        Value object = object_of(row);
         if (!std::holds_alternative<std::monostate>(object.held())) {
             list.push_back(std::move(object));
         }

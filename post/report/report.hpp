@@ -47,6 +47,9 @@ struct Field {
 [[nodiscard]] Field page_only(std::string heading, Cell cell);
 [[nodiscard]] Field data_only(std::string key, Value value);
 
+/// The fields with keys. @returns an object
+[[nodiscard]] Value object_of(const std::vector<Field>& row);
+
 /// Rows of fields, an object of the data each. The first row gives the columns of the page; later ones may be shorter.
 class DataTable {
 public:

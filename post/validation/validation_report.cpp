@@ -9,6 +9,7 @@
 
 #include "post/page/html_page.hpp"
 #include "post/report/file.hpp"
+#include "post/report/number_text.hpp"
 #include "post/validation/validation_charts.hpp"
 
 namespace tiretherm::post {
@@ -25,35 +26,15 @@ constexpr const char* legend =
     "nowhere below. Bias: mean of off over the temperatures that can be decided for all models; scatter: standard "
     "deviation about it, beyond what u explains.";
 
-int decimals(const std::string& unit) {
-    if (unit == "1") {
-        return 3;
-    }
-    return unit == "s" || unit == "N/rad" ? 0 : 1;
-}
-
-std::string number(const ValidationRow& row, double value) {
-    // No "-0.0" for what rounds to nothing.
-    const std::string text = fmt::format("{:.{}f}", value, decimals(row.unit));
-    return text.find_first_not_of("-0.") == std::string::npos && text.front() == '-' ? text.substr(1) : text;
-}
+std::string number(const ValidationRow& row, double value) { return in_digits_of(row.unit, value); }
 
 /// "47 to 48 +- 4.1", "> 60"; "-" where nothing was measured.
 std::string measured_text(const ValidationRow& row, const char* plus_minus) {
     if (!row.is_measured) {
         return "-";
     }
-    const std::string spread =
-        row.uncertainty > 0.0 ? fmt::format(" {} {}", plus_minus, number(row, row.uncertainty)) : "";
-    if (std::isinf(row.low)) {
-        return "< " + number(row, row.high) + spread;
-    }
-    if (std::isinf(row.high)) {
-        return "> " + number(row, row.low) + spread;
-    }
-    return (row.low == row.high ? number(row, row.low)
-                                : fmt::format("{} to {}", number(row, row.low), number(row, row.high))) +
-           spread;
+    return range_text(row.unit, row.low, row.high) +
+           (row.uncertainty > 0.0 ? fmt::format(" {} {}", plus_minus, number(row, row.uncertainty)) : "");
 }
 
 /// "+3.2", "-3.2", "0.0".
@@ -179,14 +160,19 @@ DataTable numbers(const ValidationRecord& record) {
 
 DataTable::Row figure_row(const std::string& name, const ModelFigures& f) {
     const bool any = f.temperatures > 0;
+    const auto kelvin = [&](const char* format, double value) { return any ? shown(format, value) : Cell(value, "-"); };
+    const auto part = [](std::size_t some, std::size_t all) {
+        return Cell(some, all > 0 ? fmt::format("{} of {}", some, all) : "-");
+    };
     return {page_only("model", name),
-            page_only("temperatures", right(fmt::format("{}", f.temperatures))),
-            page_only("bias K", right(any ? fmt::format("{:+.1f}", f.bias) : "-")),
-            page_only("rms K", right(any ? fmt::format("{:.1f}", f.rms) : "-")),
-            page_only("scatter K", right(any ? fmt::format("{:.1f}", f.scatter) : "-")),
-            page_only("within 2 u", right(any ? fmt::format("{} of {}", f.within, f.temperatures) : "-")),
-            page_only("orders that hold", right(f.orders > 0 ? fmt::format("{} of {}", f.holding, f.orders) : "-")),
-            page_only("not decidable", right(fmt::format("{}", f.not_decidable)))};
+            {"temperatures", "temperatures", {f.temperatures, fmt::format("{}", f.temperatures)}},
+            {"bias K", "bias", kelvin("{:+.1f}", f.bias)},
+            {"rms K", "rms", kelvin("{:.1f}", f.rms)},
+            {"scatter K", "scatter", kelvin("{:.1f}", f.scatter)},
+            {"within 2 u", "within_2u", part(f.within, f.temperatures)},
+            data_only("orders", f.orders),
+            {"orders that hold", "holding", part(f.holding, f.orders)},
+            {"not decidable", "not_decidable", {f.not_decidable, fmt::format("{}", f.not_decidable)}}};
 }
 
 DataTable figure_table(const ValidationRecord& record) {
@@ -202,17 +188,6 @@ DataTable figure_table(const ValidationRecord& record) {
         }
     }
     return table;
-}
-
-Value figure_data(const ModelFigures& f) {
-    return {{"temperatures", f.temperatures},
-            {"bias", f.bias},
-            {"rms", f.rms},
-            {"scatter", f.scatter},
-            {"within_2u", f.within},
-            {"orders", f.orders},
-            {"holding", f.holding},
-            {"not_decidable", f.not_decidable}};
 }
 
 /// Every input once, in the order in which the numbers name them.
@@ -320,8 +295,8 @@ Report validation_report(const ValidationRecord& record, bool with_inputs,
     DataTable of_numbers = numbers(record);
     Value summary;
     for (std::size_t m = 0; m < record.models.size(); ++m) {
-        summary.set(record.models[m].key, {{"common", figure_data(figures(record, m, true))},
-                                           {"all", figure_data(figures(record, m, false))}});
+        summary.set(record.models[m].key, {{"common", object_of(figure_row("", figures(record, m, true)))},
+                                           {"all", object_of(figure_row("", figures(record, m, false)))}});
     }
     Report report{.title = record.title};
     report.data = {{"title", record.title}, {"numbers", of_numbers.data()}, {"summary", std::move(summary)},
