@@ -362,7 +362,8 @@ void add_report_command(CLI::App& program, int& exit_code) {
         "130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm report out/laser --png --width 1200\n"
-        "  tiretherm report out/laser out/three_watts --png --chart \"Temperature field\" --at end\n"
+        "  tiretherm report out/laser out/three_watts --png \\\n"
+        "      --chart \"Temperature field\" --at end\n"
         "  tiretherm report out/laser out/three_watts --out out/one_or_three");
     command->callback([options, &exit_code] { exit_code = report(*options); });
 }
