@@ -54,21 +54,13 @@ Predictions predict_both(ScoreTestData& score_data, const FittedHypothesis& best
 
 /// What the sensors' noise is of each channel: as stated, and no more than the extended model leaves. SI
 std::vector<double> noise_floor(const Observations& observations, const Eigen::VectorXd& extended) {
-    std::vector<double> sum(observations.channels.size(), 0.0);
-    std::vector<double> count(sum.size(), 0.0);
-    const std::vector<int> noise_of = noise_of_rows(observations);
-    for (std::size_t row = 0; row < noise_of.size(); ++row) {
-        if (noise_of[row] >= 0) {
-            const auto i = static_cast<Eigen::Index>(row);
-            sum[static_cast<std::size_t>(noise_of[row])] += std::pow(observations.measured[i] - extended[i], 2);
-            count[static_cast<std::size_t>(noise_of[row])] += 1.0;
-        }
+    const HeldOutErrors all{.left = observations.measured - extended};
+    std::vector<double> floor;
+    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
+        const double left = rms(all, observations, c);
+        floor.push_back(observations.stated[c] > 0.0 ? std::min(left, observations.stated[c]) : left);
     }
-    for (std::size_t c = 0; c < sum.size(); ++c) {
-        const double left = count[c] > 0.0 ? std::sqrt(sum[c] / count[c]) : 0.0;
-        sum[c] = observations.stated[c] > 0.0 ? std::min(left, observations.stated[c]) : left;
-    }
-    return sum;
+    return floor;
 }
 
 void take(const PredictionGain& gain, Gain& into) {

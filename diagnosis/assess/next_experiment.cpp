@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -199,20 +201,12 @@ input::Experiment with_causes(const DiagnosisState& found, const input::Experime
     return model;
 }
 
-}  // namespace
-
-void plan_next(const DiagnosisState& found, Diagnosis& into) {
+/// What each hypothesis makes of the data that there are, by the score test's columns.
+std::vector<Shape> shapes_of(const DiagnosisState& found, std::size_t n_shapes) {
     const ScoreTestData& score_data = found.score_data;
-    const Observations& observations = *score_data.observations;
-    if (found.set.size() < 2 || observations.channels.empty()) {
-        return;
-    }
-    const std::size_t n_shapes = std::min<std::size_t>(3, found.set.size());
-    const std::vector<Manoeuvre> all = menu();
-    const Eigen::Index n = score_data.base.values.size();
     std::vector<Shape> shapes(n_shapes);
     for (std::size_t s = 0; s < n_shapes; ++s) {
-        shapes[s].old = Eigen::VectorXd::Zero(observations.measured.size());
+        shapes[s].old = Eigen::VectorXd::Zero(score_data.observations->measured.size());
         const FittedHypothesis& one = *found.set[s];
         for (std::size_t i = 0; i < one.candidates.size(); ++i) {
             const std::size_t k = one.candidates[i];
@@ -220,73 +214,100 @@ void plan_next(const DiagnosisState& found, Diagnosis& into) {
                              score_data.columns.col(static_cast<Eigen::Index>(k));
         }
     }
-    const auto apart = [&](const Eigen::MatrixXd& slopes, const auto& shape) {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < n_shapes; ++j) {
-            for (std::size_t k = 0; k < j; ++k) {
-                least = std::min({least, separation(slopes, score_data.base.precision, shape(j), shape(k)),
-                                  separation(slopes, score_data.base.precision, shape(k), shape(j))});
-            }
+    return shapes;
+}
+
+/// The least of what any two hypotheses differ by. @param shape of the s-th of them
+template <typename ShapeOf>
+double apart(const ScoreTestData& score_data, std::size_t n_shapes, const Eigen::MatrixXd& slopes,
+             const ShapeOf& shape) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < n_shapes; ++j) {
+        for (std::size_t k = 0; k < j; ++k) {
+            least = std::min({least, separation(slopes, score_data.base.precision, shape(j), shape(k)),
+                              separation(slopes, score_data.base.precision, shape(k), shape(j))});
         }
-        return std::sqrt(std::max(0.0, least));
-    };
-    const double now =
-        apart(score_data.base.slopes, [&](std::size_t s) -> const Eigen::VectorXd& { return shapes[s].old; });
-    for (const Manoeuvre& manoeuvre : all) {
-        const input::Experiment& experiment = *score_data.experiment;
-        if (!experiment.runs.front().problem.input_signals.gives(*physics::find_signal(manoeuvre.needs))) {
+    }
+    return std::sqrt(std::max(0.0, least));
+}
+
+/// The noise of a planned run: its blocks know channels by their order of appearance there.
+Covariance noise_of(const Observations& seen, const ScoreTestData& score_data) {
+    Covariance noise;
+    for (const std::size_t channel : seen.channels) {
+        const auto& channels = score_data.observations->channels;
+        const auto known = std::ranges::find(channels, channel) - channels.begin();
+        noise.channels.push_back(score_data.noise.channels[static_cast<std::size_t>(known)]);
+    }
+    return noise;
+}
+
+/// By how many standard deviations the hypotheses would differ with a manoeuvre in addition; nothing where a simulation fails.
+std::optional<double> apart_with(const Manoeuvre& manoeuvre, const DiagnosisState& found, std::vector<Shape>& shapes,
+                                 long& simulations) {
+    const ScoreTestData& score_data = found.score_data;
+    const input::Experiment& experiment = *score_data.experiment;
+    input::Experiment planned = planned_run_of(experiment, manoeuvre);
+    // Numbers of all runs at their fitted values, the start as the first run's.
+    const Observations seen = observe(planned);
+    Simulator base(planned, seen);
+    Eigen::VectorXd values = base.start();
+    const Eigen::Index n = score_data.base.values.size();
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const solver::FreeParameter& number = experiment.parameters[static_cast<std::size_t>(j)];
+        values[j] = number.belongs_to(0) ? score_data.base.values[j] : 0.0;  // which moves nothing
+    }
+    const ModelPrediction& plain = base.at(values);
+    simulations += base.simulations();
+    if (!plain.status.ok()) {
+        return std::nullopt;
+    }
+    const Covariance noise = noise_of(seen, score_data);
+    Eigen::MatrixXd slopes = plain.slope * score_data.base.scale.asDiagonal();
+    whiten(seen.blocks, noise, slopes);
+    planned.runs.front().problem = base.problem(0, values);
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        const input::Experiment model = with_causes(found, planned, *found.set[s]);
+        Simulator other(model, seen);
+        other.take_steps(base.steps());
+        const ModelPrediction& there = other.at(other.start());
+        simulations += 1;
+        if (!there.status.ok()) {
+            return std::nullopt;
+        }
+        Eigen::MatrixXd difference = there.simulated - plain.simulated;
+        whiten(seen.blocks, noise, difference);
+        shapes[s].more = difference.col(0);
+    }
+    // The new run starts for itself: its own start is a further number, which the first run's stands in for.
+    Eigen::MatrixXd together(score_data.base.slopes.rows() + slopes.rows(), n);
+    together << score_data.base.slopes, slopes;
+    return apart(score_data, shapes.size(), together, [&](std::size_t s) {
+        Eigen::VectorXd joined(together.rows());
+        joined << shapes[s].old, shapes[s].more;
+        return joined;
+    });
+}
+
+}  // namespace
+
+void plan_next(const DiagnosisState& found, Diagnosis& into) {
+    const ScoreTestData& score_data = found.score_data;
+    if (found.set.size() < 2 || score_data.observations->channels.empty()) {
+        return;
+    }
+    const std::size_t n_shapes = std::min<std::size_t>(3, found.set.size());
+    std::vector<Shape> shapes = shapes_of(found, n_shapes);
+    const double now = apart(score_data, n_shapes, score_data.base.slopes,
+                             [&](std::size_t s) -> const Eigen::VectorXd& { return shapes[s].old; });
+    const solver::InputSignals& given = score_data.experiment->runs.front().problem.input_signals;
+    for (const Manoeuvre& manoeuvre : menu()) {
+        if (!given.gives(*physics::find_signal(manoeuvre.needs))) {
             continue;
         }
-        input::Experiment planned = planned_run_of(experiment, manoeuvre);
-        // Numbers of all runs at their fitted values, the start as the first run's.
-        const Observations seen = observe(planned);
-        Simulator base(planned, seen);
-        Eigen::VectorXd values = base.start();
-        for (Eigen::Index j = 0; j < n; ++j) {
-            const solver::FreeParameter& number = experiment.parameters[static_cast<std::size_t>(j)];
-            values[j] = number.belongs_to(0) ? score_data.base.values[j] : 0.0;  // which moves nothing
+        if (const std::optional<double> then = apart_with(manoeuvre, found, shapes, into.simulations)) {
+            into.next.push_back({.name = manoeuvre.name, .now = now, .then = *then});
         }
-        const ModelPrediction& plain = base.at(values);
-        into.simulations += base.simulations();
-        if (!plain.status.ok()) {
-            continue;
-        }
-        // Blocks of the planned run know channels by their order of appearance there.
-        Covariance noise;
-        for (const std::size_t channel : seen.channels) {
-            const auto known = std::ranges::find(observations.channels, channel) - observations.channels.begin();
-            noise.channels.push_back(score_data.noise.channels[static_cast<std::size_t>(known)]);
-        }
-        Eigen::MatrixXd slopes = plain.slope * score_data.base.scale.asDiagonal();
-        whiten(seen.blocks, noise, slopes);
-        planned.runs.front().problem = base.problem(0, values);
-        bool sound = true;
-        for (std::size_t s = 0; s < n_shapes && sound; ++s) {
-            const input::Experiment model = with_causes(found, planned, *found.set[s]);
-            Simulator other(model, seen);
-            other.take_steps(base.steps());
-            const ModelPrediction& there = other.at(other.start());
-            into.simulations += 1;
-            sound = there.status.ok();
-            if (sound) {
-                Eigen::MatrixXd difference = there.simulated - plain.simulated;
-                whiten(seen.blocks, noise, difference);
-                shapes[s].more = difference.col(0);
-            }
-        }
-        if (!sound) {
-            continue;
-        }
-        // The new run starts for itself: its own start is a further number, which the first run's stands in for.
-        Eigen::MatrixXd together = Eigen::MatrixXd::Zero(score_data.base.slopes.rows() + slopes.rows(), n);
-        together.topRows(score_data.base.slopes.rows()) = score_data.base.slopes;
-        together.bottomRows(slopes.rows()) = slopes;
-        const double then = apart(together, [&](std::size_t s) {
-            Eigen::VectorXd joined(together.rows());
-            joined << shapes[s].old, shapes[s].more;
-            return joined;
-        });
-        into.next.push_back({.name = manoeuvre.name, .now = now, .then = then});
     }
     std::ranges::stable_sort(into.next, std::greater{}, &NextExperiment::then);
 }

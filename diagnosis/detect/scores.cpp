@@ -13,6 +13,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include "solver/order_statistics.hpp"
+
 namespace tiretherm::diagnosis {
 
 namespace {
@@ -51,9 +53,7 @@ double exceeded_by_chance(const Eigen::MatrixXd& correlation, double probability
             drawn.push_back(statistic(z.col(column)));
         }
     }
-    const auto at = drawn.begin() + static_cast<std::ptrdiff_t>((1.0 - probability) * draws);
-    std::nth_element(drawn.begin(), at, drawn.end());
-    return *at;
+    return solver::nth_smallest(std::move(drawn), static_cast<std::size_t>((1.0 - probability) * draws));
 }
 
 /// Two signatures of which each alone has z and whose correlation is c, fitted together.

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/order_statistics.hpp"
+
 namespace tiretherm::diagnosis {
 
 namespace {
@@ -76,6 +78,16 @@ void filter_columns(const std::vector<FilterStep>& filter, Eigen::Ref<Eigen::Mat
 }
 
 }  // namespace
+
+double median_interval(std::span<const Block> blocks, int channel) {
+    std::vector<double> intervals;
+    for (const Block& block : blocks) {
+        for (std::size_t i = 1; block.channel == channel && i < block.time.size(); ++i) {
+            intervals.push_back(block.time[i] - block.time[i - 1]);
+        }
+    }
+    return solver::median(std::move(intervals));
+}
 
 double Noise::rho_1s() const { return correlation_time > 0.0 ? std::exp(-1.0 / correlation_time) : 0.0; }
 

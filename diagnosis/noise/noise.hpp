@@ -41,6 +41,8 @@ struct Block {
 /// The rows of a channel in a run. A sample that is missing (NaN) has no row.
 [[nodiscard]] Block series_block(int channel, Eigen::Index first, std::span<const double> time,
                                  std::span<const double> value);
+/// The median interval between the samples of a channel, s; 0 with fewer than two.
+[[nodiscard]] double median_interval(std::span<const Block> blocks, int channel);
 [[nodiscard]] Block numbers_block(Eigen::Index first, std::vector<double> standard_deviation);
 
 /// Covariance matrix V of stacked residuals, never formed.

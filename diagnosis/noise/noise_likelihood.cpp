@@ -214,18 +214,7 @@ Eigen::VectorXd NoiseLikelihood::unexplained() const {
 }
 
 double NoiseLikelihood::median_interval(std::size_t channel) const {
-    std::vector<double> intervals;
-    for (const Block& block : parts_[channel].blocks) {
-        for (std::size_t i = 1; i < block.time.size(); ++i) {
-            intervals.push_back(block.time[i] - block.time[i - 1]);
-        }
-    }
-    if (intervals.empty()) {
-        return 0.0;
-    }
-    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-    std::nth_element(intervals.begin(), middle, intervals.end());
-    return *middle;
+    return diagnosis::median_interval(parts_[channel].blocks, static_cast<int>(channel));
 }
 
 double NoiseLikelihood::longest_run(std::size_t channel) const {

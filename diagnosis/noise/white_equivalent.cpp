@@ -8,26 +8,6 @@
 
 namespace tiretherm::diagnosis {
 
-namespace {
-
-/// Median interval between the samples of a channel, s; 0 with fewer than two.
-double median_interval(std::span<const Block> blocks, int channel) {
-    std::vector<double> intervals;
-    for (const Block& block : blocks) {
-        for (std::size_t i = 1; block.channel == channel && i < block.time.size(); ++i) {
-            intervals.push_back(block.time[i] - block.time[i - 1]);
-        }
-    }
-    if (intervals.empty()) {
-        return 0.0;
-    }
-    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-    std::ranges::nth_element(intervals, middle);
-    return *middle;
-}
-
-}  // namespace
-
 Covariance white_equivalent(const Covariance& covariance, std::span<const Block> blocks) {
     Covariance white = covariance;
     for (std::size_t c = 0; c < white.channels.size(); ++c) {

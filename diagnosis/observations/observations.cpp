@@ -234,29 +234,59 @@ void Simulator::read_images(const ImageRows& image, const solver::Prediction& pr
     }
 }
 
+bool Simulator::is_asked(std::size_t run) const {
+    return !rows_[run].empty() ||
+           std::ranges::any_of(observations_->images, [&](const ImageRows& image) { return image.run == run; });
+}
+
+solver::Prediction Simulator::simulate(std::size_t run, const Eigen::VectorXd& values) const {
+    std::vector<solver::FreeParameter> asked;
+    std::vector<double> now;
+    for (const std::size_t j : parameters_[run]) {
+        asked.push_back(experiment_->parameters[j]);
+        now.push_back(values[static_cast<Eigen::Index>(j)]);
+    }
+    return solver::predict(problem(run, values), {.times = observations_->times[run],
+                                                  .parameters = asked,
+                                                  .values = now,
+                                                  .step_ends = step_ends_[run],
+                                                  .tolerance = 1e-4});
+}
+
+void Simulator::read_run(std::size_t run, const solver::Prediction& prediction, ModelPrediction& into) const {
+    const input::MeasuredRun& measured = experiment_->runs[run];
+    const auto fail = [&](const std::string& what) {
+        into.status = {solver::Outcome::not_finite, fmt::format("run {}: {}", measured.name, what)};
+    };
+    for (const Eigen::Index row : rows_[run]) {
+        const Observations::Row& what = observations_->rows[static_cast<std::size_t>(row)];
+        into.simulated[row] = prediction.at(what.time, what.channel);
+        if (!std::isfinite(into.simulated[row])) {
+            return fail(fmt::format("{} is not a number at t = {:.6g} s", measured.problem.channels[what.channel].name,
+                                    observations_->times[run][what.time]));
+        }
+        for (std::size_t k = 0; k < parameters_[run].size(); ++k) {
+            into.slope(row, static_cast<Eigen::Index>(parameters_[run][k])) =
+                prediction.slope_at(k, what.time, what.channel);
+        }
+    }
+    if (!are_finite(into.slope, rows_[run])) {
+        return fail("a sensitivity is not a number");
+    }
+    for (const std::string& name : prediction.non_smooth_parameters) {
+        if (std::ranges::find(into.non_smooth_parameters, name) == into.non_smooth_parameters.end()) {
+            into.non_smooth_parameters.push_back(name);
+        }
+    }
+}
+
 ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
     const std::size_t n_runs = experiment_->runs.size();
     std::vector<solver::Prediction> predictions(n_runs);
-    const auto is_asked = [&](std::size_t r) {  // of some rows alone a run may have none
-        return !rows_[r].empty() ||
-               std::ranges::any_of(observations_->images, [&](const ImageRows& image) { return image.run == r; });
-    };
     solver::in_parallel(n_runs, [&](std::size_t r) {
-        if (!is_asked(r)) {
-            return;
+        if (is_asked(r)) {
+            predictions[r] = simulate(r, values);
         }
-        const solver::Problem moved = problem(r, values);
-        std::vector<solver::FreeParameter> asked;
-        std::vector<double> now;
-        for (const std::size_t j : parameters_[r]) {
-            asked.push_back(experiment_->parameters[j]);
-            now.push_back(values[static_cast<Eigen::Index>(j)]);
-        }
-        predictions[r] = solver::predict(moved, {.times = observations_->times[r],
-                                                 .parameters = asked,
-                                                 .values = now,
-                                                 .step_ends = step_ends_[r],
-                                                 .tolerance = 1e-4});
     });
     solver::leave_if_stopped();
     for (std::size_t r = 0; r < n_runs; ++r) {
@@ -281,30 +311,9 @@ ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
             continue;
         }
         step_ends_[r] = std::move(prediction.step_ends);
-        for (const Eigen::Index row : rows_[r]) {
-            const Observations::Row& what = observations_->rows[static_cast<std::size_t>(row)];
-            predicted.simulated[row] = prediction.at(what.time, what.channel);
-            if (!std::isfinite(predicted.simulated[row])) {
-                predicted.status = {solver::Outcome::not_finite,
-                                    fmt::format("run {}: {} is not a number at t = {:.6g} s", experiment_->runs[r].name,
-                                                experiment_->runs[r].problem.channels[what.channel].name,
-                                                observations_->times[r][what.time])};
-                return predicted;
-            }
-            for (std::size_t k = 0; k < parameters_[r].size(); ++k) {
-                predicted.slope(row, static_cast<Eigen::Index>(parameters_[r][k])) =
-                    prediction.slope_at(k, what.time, what.channel);
-            }
-        }
-        if (!are_finite(predicted.slope, rows_[r])) {
-            predicted.status = {solver::Outcome::not_finite,
-                                fmt::format("run {}: a sensitivity is not a number", experiment_->runs[r].name)};
+        read_run(r, prediction, predicted);
+        if (!predicted.status.ok()) {
             return predicted;
-        }
-        for (const std::string& name : prediction.non_smooth_parameters) {
-            if (std::ranges::find(predicted.non_smooth_parameters, name) == predicted.non_smooth_parameters.end()) {
-                predicted.non_smooth_parameters.push_back(name);
-            }
         }
     }
     solver::in_parallel(observations_->images.size(), [&](std::size_t i) {

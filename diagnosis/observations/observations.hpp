@@ -88,6 +88,11 @@ public:
 
 private:
     [[nodiscard]] ModelPrediction predict(const Eigen::VectorXd& values);
+    /// Whether a run has a row: of some rows alone it may have none.
+    [[nodiscard]] bool is_asked(std::size_t run) const;
+    [[nodiscard]] solver::Prediction simulate(std::size_t run, const Eigen::VectorXd& values) const;
+    /// The rows of a run's sensors and numbers, and their slopes.
+    void read_run(std::size_t run, const solver::Prediction& prediction, ModelPrediction& into) const;
     /// A camera's frames as the run gives them, and their slopes. @param now the run's problem
     void read_images(const ImageRows& image, const solver::Prediction& prediction, const solver::Problem& now,
                      ModelPrediction& into) const;

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "solver/order_statistics.hpp"
 #include "solver/sensitivity/prediction.hpp"
 
 namespace tiretherm::diagnosis {
@@ -21,18 +22,12 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 /// Of a sample interval: a clock may round.
 constexpr double round_off = 1e-3;
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 double median_interval(const std::vector<double>& time) {
     std::vector<double> intervals;
     for (std::size_t i = 1; i < time.size(); ++i) {
         intervals.push_back(time[i] - time[i - 1]);
     }
-    return median(std::move(intervals));
+    return solver::median(std::move(intervals));
 }
 
 /// Rows of a run's log in which a sensor has a value.
@@ -52,7 +47,7 @@ std::size_t stride_of(const std::vector<std::size_t>& rows) {
     for (std::size_t i = 1; i < rows.size(); ++i) {
         strides.push_back(static_cast<double>(rows[i] - rows[i - 1]));
     }
-    return static_cast<std::size_t>(median(std::move(strides)));
+    return static_cast<std::size_t>(solver::median(std::move(strides)));
 }
 
 /// The rows of a run in blocks of equal length.

@@ -17,6 +17,18 @@ constexpr std::size_t n_resamples = 4000;
 
 bool contains(const std::vector<std::size_t>& all, std::size_t one) { return std::ranges::find(all, one) != all.end(); }
 
+/// Mean square over the rows that count; 0 of none.
+template <typename Counts>
+double square_of(const std::vector<double>& values, const Counts& counts) {
+    double sum = 0.0;
+    double n = 0.0;
+    for (std::size_t r = 0; r < values.size(); ++r) {
+        sum += counts(r) ? values[r] * values[r] : 0.0;
+        n += counts(r) ? 1.0 : 0.0;
+    }
+    return n > 0.0 ? sum / n : 0.0;
+}
+
 }  // namespace
 
 Judge::Judge(const Numbers& numbers, std::vector<bool> counts, const std::vector<Addition>& additions)
@@ -71,16 +83,12 @@ std::vector<std::size_t> Judge::off(const std::vector<double>& changes) const {
 }
 
 double Judge::mean_square(const std::vector<double>& changes, std::size_t without) const {
-    const std::vector<double> all = scores(changes);
-    double sum = 0.0;
-    double n = 0.0;
-    for (std::size_t r = 0; r < all.size(); ++r) {
-        if (counts_[r] && numbers_.rows[r].experiment != without) {
-            sum += all[r] * all[r];
-            n += 1.0;
-        }
-    }
-    return n > 0.0 ? sum / n : 0.0;
+    return square_of(scores(changes),
+                     [&](std::size_t r) { return counts_[r] && numbers_.rows[r].experiment != without; });
+}
+
+double Judge::rms(const std::vector<double>& changes) const {
+    return std::sqrt(square_of(scores(changes), [&](std::size_t r) -> bool { return counts_[r]; }));
 }
 
 std::vector<double> Judge::or_nothing(const std::vector<double>& reference) const {
@@ -89,43 +97,35 @@ std::vector<double> Judge::or_nothing(const std::vector<double>& reference) cons
 
 HeldOut Judge::summary(std::vector<double> changes, const std::vector<double>& reference) const {
     HeldOut found{.changes = std::move(changes)};
-    const std::vector<double> before = scores(or_nothing(reference));
-    const std::vector<double> after = scores(found.changes);
-    std::vector<std::array<double, 2>> sums(experiments_.size(), {0.0, 0.0});
-    std::vector<double> n(experiments_.size(), 0.0);
-    double temperatures = 0.0;
-    for (std::size_t r = 0; r < counts_.size(); ++r) {
-        if (!counts_[r]) {
-            continue;
-        }
-        const Row& row = numbers_.rows[r];
-        const auto e = static_cast<std::size_t>(std::ranges::find(experiments_, row.experiment) - experiments_.begin());
-        sums[e][0] += before[r] * before[r];
-        sums[e][1] += after[r] * after[r];
-        n[e] += 1.0;
-        if (row.is_temperature() && !row.is_open) {
-            found.kelvin_before += std::pow(before[r] * row.total(), 2);
-            found.kelvin_after += std::pow(after[r] * row.total(), 2);
-            temperatures += 1.0;
-        }
-    }
-    found.kelvin_before = std::sqrt(found.kelvin_before / std::max(temperatures, 1.0));
-    found.kelvin_after = std::sqrt(found.kelvin_after / std::max(temperatures, 1.0));
-    double total_before = 0.0;
-    double total_after = 0.0;
-    double total = 0.0;
-    for (std::size_t e = 0; e < experiments_.size(); ++e) {
-        total_before += sums[e][0];
-        total_after += sums[e][1];
-        total += n[e];
-        if (std::sqrt(sums[e][0] / n[e]) - std::sqrt(sums[e][1] / n[e]) > little) {
-            found.better.push_back(experiments_[e]);
-        }
-    }
+    std::vector<double> before = scores(or_nothing(reference));
+    std::vector<double> after = scores(found.changes);
+    found.rms_before = rms(or_nothing(reference));
+    found.rms_after = rms(found.changes);
     const auto share = [](double was, double is) { return was > 0.0 ? 1.0 - std::sqrt(is / was) : 0.0; };
-    found.rms_before = std::sqrt(total_before / std::max(total, 1.0));
-    found.rms_after = std::sqrt(total_after / std::max(total, 1.0));
-    found.removed.value = share(total_before, total_after);
+    found.removed.value = found.rms_before > 0.0 ? 1.0 - found.rms_after / found.rms_before : 0.0;
+    std::vector<std::array<double, 2>> sums;
+    for (const std::size_t experiment : experiments_) {
+        const auto its = [&](std::size_t r) { return counts_[r] && numbers_.rows[r].experiment == experiment; };
+        double n = 0.0;
+        for (std::size_t r = 0; r < counts_.size(); ++r) {
+            n += its(r) ? 1.0 : 0.0;
+        }
+        const double was = square_of(before, its);
+        const double is = square_of(after, its);
+        sums.push_back({n * was, n * is});
+        if (std::sqrt(was) - std::sqrt(is) > little) {
+            found.better.push_back(experiment);
+        }
+    }
+    const auto temperatures = [&](std::size_t r) {
+        return counts_[r] && numbers_.rows[r].is_temperature() && !numbers_.rows[r].is_open;
+    };
+    for (std::size_t r = 0; r < counts_.size(); ++r) {
+        before[r] *= numbers_.rows[r].total();
+        after[r] *= numbers_.rows[r].total();
+    }
+    found.kelvin_before = std::sqrt(square_of(before, temperatures));
+    found.kelvin_after = std::sqrt(square_of(after, temperatures));
     // Experiments are drawn, not rows: those of one experiment share its faults.
     std::mt19937_64 engine(2014);
     std::vector<double> drawn(n_resamples);
@@ -145,20 +145,29 @@ HeldOut Judge::summary(std::vector<double> changes, const std::vector<double>& r
     return found;
 }
 
-HeldOut Judge::held_out(const std::vector<std::size_t>& chosen, const std::vector<double>& reference) const {
-    const std::vector<Block> all = blocks(chosen);
+std::vector<double> Judge::leave_out_each(
+    const std::function<std::vector<double>(std::size_t experiment)>& changes_without, std::size_t but) const {
     std::vector<double> changes(counts_.size(), 0.0);
     for (const std::size_t experiment : experiments_) {
-        const AdditionFit others = fit(all, chosen, {experiment}, false);
+        if (experiment == but) {
+            continue;
+        }
+        const std::vector<double> predicted = changes_without(experiment);
         for (std::size_t r = 0; r < counts_.size(); ++r) {
-            changes[r] = numbers_.rows[r].experiment == experiment ? others.changes[r] : changes[r];
+            changes[r] = numbers_.rows[r].experiment == experiment ? predicted[r] : changes[r];
         }
     }
-    return summary(std::move(changes), reference);
+    return changes;
+}
+
+HeldOut Judge::held_out(const std::vector<std::size_t>& chosen, const std::vector<double>& reference) const {
+    const std::vector<Block> all = blocks(chosen);
+    return summary(
+        leave_out_each([&](std::size_t experiment) { return fit(all, chosen, {experiment}, false).changes; }),
+        reference);
 }
 
 HeldOut Judge::held_out_choice(const std::vector<std::size_t>& chosen, const std::vector<double>& reference) const {
-    std::vector<double> changes(counts_.size(), 0.0);
     std::vector<std::vector<std::size_t>> trials;
     std::vector<std::vector<Block>> of_trials;
     for (std::size_t a = 0; a < additions_.size(); ++a) {
@@ -170,30 +179,21 @@ HeldOut Judge::held_out_choice(const std::vector<std::size_t>& chosen, const std
             of_trials.push_back(blocks(trials.back()));
         }
     }
-    for (const std::size_t experiment : experiments_) {
+    const auto best_without = [&](std::size_t experiment) {
         std::vector<double> prediction = or_nothing(reference);
         double best = mean_square(prediction, experiment);
         for (std::size_t t = 0; t < trials.size(); ++t) {
-            std::vector<double> inner(counts_.size(), 0.0);
-            for (const std::size_t other : experiments_) {
-                if (other == experiment) {
-                    continue;
-                }
-                const AdditionFit rest = fit(of_trials[t], trials[t], {experiment, other}, false);
-                for (std::size_t r = 0; r < counts_.size(); ++r) {
-                    inner[r] = numbers_.rows[r].experiment == other ? rest.changes[r] : inner[r];
-                }
-            }
-            if (const double now = mean_square(inner, experiment); now < best) {
+            const auto without_both = [&](std::size_t other) {
+                return fit(of_trials[t], trials[t], {experiment, other}, false).changes;
+            };
+            if (const double now = mean_square(leave_out_each(without_both, experiment), experiment); now < best) {
                 best = now;
                 prediction = fit(of_trials[t], trials[t], {experiment}, false).changes;
             }
         }
-        for (std::size_t r = 0; r < counts_.size(); ++r) {
-            changes[r] = numbers_.rows[r].experiment == experiment ? prediction[r] : changes[r];
-        }
-    }
-    return summary(std::move(changes), reference);
+        return prediction;
+    };
+    return summary(leave_out_each(best_without), reference);
 }
 
 }  // namespace tiretherm::diagnosis::quoted

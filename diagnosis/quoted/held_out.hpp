@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -68,6 +69,8 @@ public:
     [[nodiscard]] std::vector<double> scores(const std::vector<double>& changes) const;
     /// @param changes [rows]   @returns chi squared of the rows that count, with what they share
     [[nodiscard]] double chi_squared(const std::vector<double>& changes) const;
+    /// Root of the mean square of these.
+    [[nodiscard]] double rms(const std::vector<double>& changes) const;
     [[nodiscard]] std::size_t n_rows() const;
     /// Whether the addition changes any row that counts by more than a tenth of its total uncertainty.
     [[nodiscard]] bool matters(std::size_t addition) const;
@@ -83,6 +86,10 @@ private:
                               const std::vector<double>& changes) const;
     [[nodiscard]] AdditionFit fit(const std::vector<Block>& blocks, const std::vector<std::size_t>& chosen,
                                   const std::vector<std::size_t>& left_out, bool with_interval) const;
+    /// For the rows of each experiment what is predicted without it; 0 of one that stays out of all.
+    [[nodiscard]] std::vector<double> leave_out_each(
+        const std::function<std::vector<double>(std::size_t experiment)>& changes_without,
+        std::size_t but = static_cast<std::size_t>(-1)) const;
     [[nodiscard]] HeldOut summary(std::vector<double> changes, const std::vector<double>& reference) const;
     [[nodiscard]] std::vector<double> or_nothing(const std::vector<double>& reference) const;
     /// Mean square score over the rows of all experiments but one.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include <Eigen/Cholesky>
 
@@ -15,6 +17,91 @@ namespace {
 constexpr double of_interval = 3.84;  ///< rise of chi squared at the ends of a 95 % interval of one number
 constexpr std::size_t most_passes = 40;
 constexpr std::size_t coarse = 12;  ///< steps of the values in which the start of a fit of two numbers is sought
+
+/// An addition with its changes at all of its values.
+struct Chosen {
+    const Addition* addition;
+    const std::vector<std::vector<double>>* table;
+
+    [[nodiscard]] std::size_t nearest_absent() const {
+        const double share =
+            addition->is_fitted() ? (addition->absent - addition->low) / (addition->high - addition->low) : 0.0;
+        return static_cast<std::size_t>(
+            std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(table->size() - 1)));
+    }
+};
+
+/// Indices of the values of some additions at which chi squared, and what their own ranges say, is least.
+class ValueSearch {
+public:
+    using Indices = std::vector<std::size_t>;
+
+    /// @param cost chi squared of changes [rows]
+    ValueSearch(std::vector<Chosen> chosen, std::size_t n_rows,
+                std::function<double(const std::vector<double>& changes)> cost)
+        : chosen_(std::move(chosen)), n_rows_(n_rows), cost_(std::move(cost)) {}
+
+    [[nodiscard]] std::vector<double> changes(const Indices& at) const {
+        std::vector<double> sum(n_rows_, 0.0);
+        for (std::size_t k = 0; k < at.size(); ++k) {
+            for (std::size_t r = 0; r < n_rows_; ++r) {
+                sum[r] += (*chosen_[k].table)[at[k]][r];
+            }
+        }
+        return sum;
+    }
+    [[nodiscard]] double cost(const Indices& at) const {
+        double sum = cost_(changes(at));
+        for (std::size_t k = 0; k < at.size(); ++k) {
+            sum += chosen_[k].addition->penalty(chosen_[k].addition->value(at[k]));
+        }
+        return sum;
+    }
+    /// Where nothing is changed; of two numbers the best of a coarse grid, for two that compensate each other have a valley
+    /// that single steps do not follow.
+    [[nodiscard]] Indices start() const {
+        Indices at;
+        std::ranges::transform(chosen_, std::back_inserter(at), &Chosen::nearest_absent);
+        if (at.size() == 2) {
+            double best = cost(at);
+            for (std::size_t a = 0; a < chosen_[0].table->size(); a += coarse) {
+                for (std::size_t b = 0; b < chosen_[1].table->size(); b += coarse) {
+                    if (const double now = cost({a, b}); now < best) {
+                        best = now;
+                        at = {a, b};
+                    }
+                }
+            }
+        }
+        return at;
+    }
+    /// Moves one number after the other to its best value; `held` stays. @returns the cost there
+    double descend(Indices& at, std::size_t held) const {
+        double best = cost(at);
+        for (std::size_t pass = 0; pass < most_passes; ++pass) {
+            bool moved = false;
+            for (std::size_t k = 0; k < at.size(); ++k) {
+                Indices trial = at;
+                for (trial[k] = 0; k != held && trial[k] < chosen_[k].table->size(); ++trial[k]) {
+                    if (const double now = cost(trial); now < best * (1.0 - 1e-12)) {
+                        best = now;
+                        at[k] = trial[k];
+                        moved = true;
+                    }
+                }
+            }
+            if (!moved || at.size() == 1) {
+                break;
+            }
+        }
+        return best;
+    }
+
+private:
+    std::vector<Chosen> chosen_;
+    std::size_t n_rows_;
+    std::function<double(const std::vector<double>& changes)> cost_;
+};
 
 }  // namespace
 
@@ -48,92 +135,33 @@ double Judge::cost(const std::vector<Block>& blocks, const std::vector<std::size
         if (std::ranges::count(left_out, block.experiment) > 0) {
             continue;
         }
-        const std::size_t n = block.rows.size();
-        for (std::size_t i = 0; i < n; ++i) {
-            double white = 0.0;
-            for (std::size_t j = 0; j <= i; ++j) {
-                const Row& row = numbers_.rows[block.rows[j]];
-                white += block.whitening(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) *
-                         row.residual(row.value + changes[block.rows[j]]);
-            }
-            sum += white * white;
-        }
+        Eigen::VectorXd residuals(static_cast<Eigen::Index>(block.rows.size()));
+        std::ranges::transform(block.rows, residuals.begin(), [&](std::size_t r) {
+            return numbers_.rows[r].residual(numbers_.rows[r].value + changes[r]);
+        });
+        sum += (block.whitening * residuals).squaredNorm();
     }
     return sum;
 }
 
 AdditionFit Judge::fit(const std::vector<Block>& blocks, const std::vector<std::size_t>& chosen,
                        const std::vector<std::size_t>& left_out, bool with_interval) const {
-    const std::size_t n = chosen.size();
-    const auto table = [&](std::size_t k) -> const std::vector<std::vector<double>>& { return tables_[chosen[k]]; };
-    const auto nearest_absent = [&](std::size_t k) {
-        const Addition& one = additions_[chosen[k]];
-        const double share = one.is_fitted() ? (one.absent - one.low) / (one.high - one.low) : 0.0;
-        return static_cast<std::size_t>(
-            std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(table(k).size() - 1)));
-    };
-    const auto changes_at = [&](const std::vector<std::size_t>& at) {
-        std::vector<double> sum(numbers_.rows.size(), 0.0);
-        for (std::size_t k = 0; k < n; ++k) {
-            for (std::size_t r = 0; r < sum.size(); ++r) {
-                sum[r] += table(k)[at[k]][r];
-            }
-        }
-        return sum;
-    };
-    /// Chi squared of the rows, and what the numbers' own ranges say.
-    const auto cost_at = [&](const std::vector<std::size_t>& at) {
-        double sum = cost(blocks, left_out, changes_at(at));
-        for (std::size_t k = 0; k < n; ++k) {
-            sum += additions_[chosen[k]].penalty(additions_[chosen[k]].value(at[k]));
-        }
-        return sum;
-    };
-    /// Moves one number after the other to its best value; `held` stays.
-    const auto descend = [&](std::vector<std::size_t>& at, std::size_t held) {
-        double best = cost_at(at);
-        for (std::size_t pass = 0; pass < most_passes; ++pass) {
-            bool moved = false;
-            for (std::size_t k = 0; k < n; ++k) {
-                std::vector<std::size_t> trial = at;
-                for (trial[k] = 0; k != held && trial[k] < table(k).size(); ++trial[k]) {
-                    if (const double now = cost_at(trial); now < best * (1.0 - 1e-12)) {
-                        best = now;
-                        at[k] = trial[k];
-                        moved = true;
-                    }
-                }
-            }
-            if (!moved || n == 1) {
-                break;
-            }
-        }
-        return best;
-    };
-    std::vector<std::size_t> at(n);
-    for (std::size_t k = 0; k < n; ++k) {
-        at[k] = nearest_absent(k);
+    std::vector<Chosen> all;
+    for (const std::size_t one : chosen) {
+        all.push_back({.addition = &additions_[one], .table = &tables_[one]});
     }
-    if (n == 2) {  // two numbers that compensate each other have a valley that single steps do not follow
-        double best = cost_at(at);
-        for (std::size_t a = 0; a < table(0).size(); a += coarse) {
-            for (std::size_t b = 0; b < table(1).size(); b += coarse) {
-                if (const double now = cost_at({a, b}); now < best) {
-                    best = now;
-                    at = {a, b};
-                }
-            }
-        }
-    }
+    const std::size_t n = all.size();
+    const ValueSearch search(all, numbers_.rows.size(),
+                             [&](const std::vector<double>& changes) { return cost(blocks, left_out, changes); });
     AdditionFit found;
-    const double lowest = descend(at, n);
-    found.changes = changes_at(at);
+    ValueSearch::Indices at = search.start();
+    const double lowest = search.descend(at, n);
+    found.changes = search.changes(at);
     found.chi_squared = cost(blocks, left_out, found.changes);
     for (std::size_t k = 0; k < n; ++k) {
-        const Addition& one = additions_[chosen[k]];
-        found.values.push_back(one.value(at[k]));
-        const bool at_end = at[k] == 0 || at[k] + 1 == table(k).size();
-        found.is_bound.push_back(one.is_fitted() && at_end && at[k] != nearest_absent(k));
+        const bool at_end = at[k] == 0 || at[k] + 1 == all[k].table->size();
+        found.values.push_back(all[k].addition->value(at[k]));
+        found.is_bound.push_back(all[k].addition->is_fitted() && at_end && at[k] != all[k].nearest_absent());
     }
     found.low = found.high = found.values;
     if (!with_interval) {
@@ -146,12 +174,12 @@ AdditionFit Judge::fit(const std::vector<Block>& blocks, const std::vector<std::
     const double freedom = std::max(1.0, static_cast<double>(n_fitted) - static_cast<double>(n));
     const double rise = of_interval * std::max(1.0, found.chi_squared / freedom);
     for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t v = 0; v < table(k).size() && additions_[chosen[k]].is_fitted(); ++v) {
-            std::vector<std::size_t> trial = at;
+        for (std::size_t v = 0; v < all[k].table->size() && all[k].addition->is_fitted(); ++v) {
+            ValueSearch::Indices trial = at;
             trial[k] = v;
-            if (descend(trial, k) <= lowest + rise) {
-                found.low[k] = std::min(found.low[k], additions_[chosen[k]].value(v));
-                found.high[k] = std::max(found.high[k], additions_[chosen[k]].value(v));
+            if (search.descend(trial, k) <= lowest + rise) {
+                found.low[k] = std::min(found.low[k], all[k].addition->value(v));
+                found.high[k] = std::max(found.high[k], all[k].addition->value(v));
             }
         }
     }

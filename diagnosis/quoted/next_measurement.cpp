@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/order_statistics.hpp"
+
 namespace tiretherm::diagnosis::quoted {
 
 namespace {
@@ -42,8 +44,7 @@ double achievable(const Numbers& numbers) {
             all.push_back(row.uncertainty);
         }
     }
-    std::ranges::sort(all);
-    return all.empty() ? 1.0 : all[all.size() / 2];
+    return all.empty() ? 1.0 : solver::median(std::move(all));
 }
 
 /// The input whose knowledge adds most to chi squared between two explanations.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -80,10 +81,7 @@ private:
             }
             Attempt attempt{.addition = alone_[a], .fit = judge.fit({a}, {}), .held_out = judge.held_out({a})};
             const std::vector<double> scores = judge.scores(attempt.fit.changes);
-            for (const double score : scores) {
-                attempt.rms_fitted += score * score / static_cast<double>(result.n_rows);
-            }
-            attempt.rms_fitted = std::sqrt(attempt.rms_fitted);
+            attempt.rms_fitted = judge.rms(attempt.fit.changes);
             attempt.fits =
                 judge.off(attempt.fit.changes).empty() &&
                 significance_of(attempt.fit.chi_squared, freedom(numbers_, result.counts, scores) - 1.0) < alarm;
@@ -97,13 +95,23 @@ private:
         });
     }
 
-    /// The additions of a step: those accepted as they are alone, then all others on top of them.
-    [[nodiscard]] std::vector<Addition> on_top(const Analysis& result) {
-        std::vector<Addition> all = chosen_;
+    [[nodiscard]] std::vector<Applied> accepted(const Analysis& result) const {
         std::vector<Applied> applied;
         for (std::size_t k = 0; k < chosen_.size(); ++k) {
             applied.push_back({.addition = &chosen_[k], .value = result.fit.values[k]});
         }
+        return applied;
+    }
+    [[nodiscard]] std::vector<std::size_t> indices_of_chosen() const {
+        std::vector<std::size_t> all(chosen_.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return all;
+    }
+
+    /// The additions of a step: those accepted as they are alone, then all others on top of them.
+    [[nodiscard]] std::vector<Addition> on_top(const Analysis& result) {
+        std::vector<Addition> all = chosen_;
+        const std::vector<Applied> applied = accepted(result);
         const bool is_fine =
             std::ranges::any_of(chosen_, [](const Addition& one) { return one.kind == AdditionKind::mesh; });
         std::size_t tried = 0;
@@ -134,10 +142,7 @@ private:
         while (chosen_.size() < most_steps_ && !solver::stop_requested()) {
             const std::vector<Addition> all = chosen_.empty() ? alone_ : on_top(result);
             const Judge judge(numbers_, result.counts, all);
-            std::vector<std::size_t> before(chosen_.size());
-            for (std::size_t k = 0; k < before.size(); ++k) {
-                before[k] = k;
-            }
+            const std::vector<std::size_t> before = indices_of_chosen();
             std::optional<std::size_t> best;
             HeldOut of_best;
             for (std::size_t a = before.size(); a < all.size(); ++a) {
@@ -170,20 +175,15 @@ private:
 
     void conclude(const Judge& judge, Analysis& result, bool is_off) {
         if (!is_off) {
-            result.verdict = result.n_rows < enough ? QuotedVerdict::cannot_tell : QuotedVerdict::consistent;
+            result.verdict = result.n_rows < enough ? Verdict::cannot_tell : Verdict::consistent;
             return;
         }
         if (result.steps.empty()) {
-            result.verdict = result.off.size() < enough || result.experiments.size() < enough
-                                 ? QuotedVerdict::cannot_tell
-                                 : QuotedVerdict::unknown;
+            result.verdict = result.off.size() < enough || result.experiments.size() < enough ? Verdict::cannot_tell
+                                                                                              : Verdict::unknown;
             return;
         }
-        std::vector<Applied> applied;
-        for (std::size_t k = 0; k < chosen_.size(); ++k) {
-            applied.push_back({.addition = &chosen_[k], .value = result.fit.values[k]});
-        }
-        const std::vector<double> simulated = trials_.together(applied, numbers_);
+        const std::vector<double> simulated = trials_.together(accepted(result), numbers_);
         result.after = simulated.empty() ? result.fit.changes : simulated;
         for (std::size_t r = 0; r < result.after.size(); ++r) {
             result.surrogate_error = std::max(
@@ -196,9 +196,7 @@ private:
             freedom(numbers_, result.counts, judge.scores(result.after)) - static_cast<double>(chosen_.size()));
         find_set(result);
         const bool is_left = result.significance_after > alarm;
-        result.verdict = is_left                  ? QuotedVerdict::partial
-                         : result.set.size() == 1 ? QuotedVerdict::named
-                                                  : QuotedVerdict::confounded;
+        result.verdict = is_left ? Verdict::partial : result.set.size() == 1 ? Verdict::named : Verdict::confounded;
     }
 
     /// All that fit the rows nearly as well as what was accepted, each member exchanged for another addition in turn.
@@ -218,16 +216,13 @@ private:
             }
             return found;
         };
-        std::vector<std::size_t> accepted(n);
-        for (std::size_t k = 0; k < n; ++k) {
-            accepted[k] = k;
-        }
-        result.set.push_back(names(accepted));
+        const std::vector<std::size_t> before = indices_of_chosen();
+        result.set.push_back(names(before));
         for (std::size_t k = 0; k < n; ++k) {
             for (std::size_t a = n; a < all.size(); ++a) {
                 const bool is_known =
-                    std::ranges::any_of(accepted, [&](std::size_t one) { return all[one].is_same_cause(all[a]); });
-                std::vector<std::size_t> trial = accepted;
+                    std::ranges::any_of(before, [&](std::size_t one) { return all[one].is_same_cause(all[a]); });
+                std::vector<std::size_t> trial = before;
                 trial[k] = a;
                 if (!is_known && judge.fit(trial, {}).chi_squared <= limit) {
                     result.set.push_back(names(trial));

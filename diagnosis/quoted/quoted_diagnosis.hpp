@@ -8,15 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/assess/diagnosis.hpp"
 #include "diagnosis/quoted/held_out.hpp"
 #include "diagnosis/quoted/trials.hpp"
 
 namespace tiretherm::diagnosis::quoted {
-
-/// As of a diagnosis of logs, and `partial`: something helps, and much is left that is none of what was tried.
-enum class QuotedVerdict : std::uint8_t { named, confounded, unknown, consistent, cannot_tell, partial };
-inline constexpr std::array<std::string_view, 6> verdict_names{"named",      "confounded",  "unknown",
-                                                               "consistent", "cannot_tell", "partial"};
 
 /// One addition by itself.
 struct Attempt {
@@ -55,7 +51,8 @@ struct Analysis {
     double significance_after = 0.0;
     std::vector<std::size_t> off_after{};
     std::vector<std::vector<std::string>> set{};  ///< names of explanations that these rows cannot tell apart
-    QuotedVerdict verdict = QuotedVerdict::cannot_tell;
+    /// As of a diagnosis of logs; `partial`: something helps, and much is left that is none of what was tried.
+    Verdict verdict = Verdict::cannot_tell;
 };
 
 /// A measurement that would tell explanations apart.

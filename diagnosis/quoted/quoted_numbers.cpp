@@ -35,16 +35,6 @@ std::map<std::string, double> usual_uncertainties(const std::vector<ValidationRo
     return usual;
 }
 
-/// Between two points straight, beyond the last ones held.
-double between(const std::vector<double>& x, const std::vector<double>& y, double at) {
-    const auto above = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin());
-    if (above == 0 || above == x.size()) {
-        return above == 0 ? y.front() : y.back();
-    }
-    const double w = (at - x[above - 1]) / (x[above] - x[above - 1]);
-    return (1.0 - w) * y[above - 1] + w * y[above];
-}
-
 /// Where a number was inferred from, the middle of the range stands for the value, so that it does not judge itself.
 void centre(UnknownInput& input, const std::vector<std::size_t>& rows) {
     for (const std::size_t row : rows) {
@@ -77,9 +67,8 @@ void add_changes(UnknownInput& input, const InputEffect& effect, std::size_t mod
     const std::vector<std::optional<double>>& ends = effect.at_ends[model];
     for (std::size_t i = 0; i < input.at.size(); ++i) {
         if (input.is_number) {
-            input.changes[i][row] =
-                between({effect.numbers[0], input.value, effect.numbers[1]}, {*ends[0], value, *ends[1]}, input.at[i]) -
-                value;
+            const std::vector<double> at{effect.numbers[0], input.value, effect.numbers[1]};
+            input.changes[i][row] = physics::Curve::table(at, {*ends[0], value, *ends[1]}).value(input.at[i]) - value;
         } else if (i > 0) {
             input.changes[i][row] = *ends[i - 1] - value;
         }
@@ -135,10 +124,6 @@ double UnknownInput::covariance(std::size_t row, std::size_t other) const {
         sum += point[row] * point[other];
     }
     return sum / static_cast<double>(changes.size());
-}
-
-bool UnknownInput::acts(std::size_t row) const {
-    return std::ranges::any_of(changes, [&](const std::vector<double>& point) { return point[row] != 0.0; });
 }
 
 Eigen::MatrixXd Numbers::covariance(const std::vector<std::size_t>& of, const std::vector<int>& free) const {

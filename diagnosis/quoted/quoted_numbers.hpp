@@ -50,7 +50,6 @@ struct UnknownInput {
     /// Mean product of its changes of two rows when the input is anywhere in its range, all values alike: their
     /// covariance about the values that the cases have.
     [[nodiscard]] double covariance(std::size_t row, std::size_t other) const;
-    [[nodiscard]] bool acts(std::size_t row) const;
 };
 
 /// All numbers of a table that one model gives and that were measured.

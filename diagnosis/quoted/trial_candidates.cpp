@@ -93,17 +93,18 @@ bool is_of(const Candidate& candidate, const Addition& addition, const solver::P
 
 void add_effects(std::vector<Addition>& all, const std::vector<Candidate>& candidates, const solver::Problem& problem) {
     for (const Candidate& candidate : candidates) {
-        const physics::PlausibleRange& range = *physics::plausible_range(*candidate.effect, candidate.parameter);
+        const auto [low, high] = plausible_bounds(candidate);
         const std::string held = held_text(candidate);
-        Addition addition{.kind = candidate.on >= 0 ? AdditionKind::number : AdditionKind::effect,
-                          .id = std::string(candidate.effect->id),
-                          .key = std::string(candidate.number().key),
-                          .unit = std::string(candidate.number().unit),
-                          .what = held.empty() ? layer_text(candidate, problem) : held,
-                          .absent = candidate.absent,
-                          .low = std::max(candidate.low, std::min(range.low, candidate.absent)),
-                          .high = std::min(candidate.high, std::max(range.high, candidate.absent)),
-                          .source = std::string(range.source)};
+        Addition addition{
+            .kind = candidate.on >= 0 ? AdditionKind::number : AdditionKind::effect,
+            .id = std::string(candidate.effect->id),
+            .key = std::string(candidate.number().key),
+            .unit = std::string(candidate.number().unit),
+            .what = held.empty() ? layer_text(candidate, problem) : held,
+            .absent = candidate.absent,
+            .low = low,
+            .high = high,
+            .source = std::string(physics::plausible_range(*candidate.effect, candidate.parameter)->source)};
         const bool is_known = std::ranges::any_of(all, [&](const Addition& other) {
             return other.kind == addition.kind && other.id == addition.id && other.key == addition.key &&
                    other.what == addition.what;

@@ -52,6 +52,21 @@ Trials::Trials(const input::Validation& validation, std::size_t model, unsigned 
     table_ = validation_rows(validation_, base_);
 }
 
+void Trials::simulate_runs(const std::vector<input::ValidationRun>& chosen, const std::vector<std::size_t>& places,
+                           RunResults& into) {
+    const long before = simulations_;
+    RunResults results = run_all(chosen, threads_, [&](std::size_t done) {
+        if (progress_) {
+            progress_(before + static_cast<long>(done));
+        }
+    });
+    simulations_ += static_cast<long>(chosen.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        into.traces[places[i]] = std::move(results.traces[i]);
+        into.failures[places[i]] = results.failures[i];
+    }
+}
+
 void Trials::run_as_they_are(const std::vector<std::size_t>& runs) {
     std::vector<input::ValidationRun> chosen;
     std::vector<std::size_t> places;
@@ -61,18 +76,7 @@ void Trials::run_as_they_are(const std::vector<std::size_t>& runs) {
             places.push_back(run);
         }
     }
-    const long before = simulations_;
-    RunResults results = run_all(chosen, threads_, [&](std::size_t done) {
-        if (progress_) {
-            progress_(before + static_cast<long>(done));
-        }
-    });
-    simulations_ += static_cast<long>(chosen.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        base_.traces[places[i]] = std::move(results.traces[i]);
-        base_.failures[places[i]] = results.failures[i];
-    }
-    base_.warnings.insert(base_.warnings.end(), results.warnings.begin(), results.warnings.end());
+    simulate_runs(chosen, places, base_);
 }
 
 std::vector<std::size_t> Trials::nominal_runs(std::size_t model) const {
@@ -156,13 +160,6 @@ RunResults Trials::run(const std::vector<Applied>& applied) {
             places.push_back(run);
         }
     }
-    const long before = simulations_;
-    RunResults found = run_all(changed, threads_, [&](std::size_t done) {
-        if (progress_) {
-            progress_(before + static_cast<long>(done));
-        }
-    });
-    simulations_ += static_cast<long>(changed.size());
     RunResults all{.traces = std::vector<input::Trace>(validation_.runs.size()),
                    .failures = std::vector<std::string>(validation_.runs.size(), not_run),
                    .warnings = {}};
@@ -170,10 +167,7 @@ RunResults Trials::run(const std::vector<Applied>& applied) {
         all.traces[run] = base_.traces[run];
         all.failures[run] = base_.failures[run];
     }
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        all.traces[places[i]] = std::move(found.traces[i]);
-        all.failures[places[i]] = found.failures[i];
-    }
+    simulate_runs(changed, places, all);
     for (const Applied& one : applied) {
         if (one.addition->kind == AdditionKind::instrument) {
             read_instrument(one, all);

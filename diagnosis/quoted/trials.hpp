@@ -40,7 +40,6 @@ public:
     [[nodiscard]] const std::vector<ValidationRow>& table() const { return table_; }
     /// Why runs as they are, or with an input at an end, have no result.
     [[nodiscard]] std::vector<std::string> failures() const;
-    [[nodiscard]] const std::vector<std::string>& warnings() const { return base_.warnings; }
 
     /// Everything that can act on the runs, not yet simulated but for the inputs.
     [[nodiscard]] std::vector<Addition> additions(const Numbers& numbers) const;
@@ -64,6 +63,9 @@ private:
     [[nodiscard]] RunResults run(const std::vector<Applied>& applied);
     [[nodiscard]] std::vector<std::optional<double>> values(const RunResults& results, std::size_t model,
                                                             const Numbers& numbers) const;
+    /// @param places [chosen] where in the table's runs their results belong
+    void simulate_runs(const std::vector<input::ValidationRun>& chosen, const std::vector<std::size_t>& places,
+                       RunResults& into);
     void run_as_they_are(const std::vector<std::size_t>& runs);
     void read_instrument(const Applied& applied, RunResults& results) const;
     [[nodiscard]] std::string source_word(std::size_t number) const;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/clock/clock_times.hpp"
+#include "solver/order_statistics.hpp"
 
 namespace tiretherm::input {
 
@@ -36,9 +37,8 @@ std::vector<Tick> ticks_of(const std::vector<double>& times) {
 /// Of an even number the lower one: one tick among two is not the usual one.
 template <typename Value>
 Value median_of(std::vector<Value> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
+    const std::size_t middle = (values.size() - 1) / 2;
+    return solver::nth_smallest(std::move(values), middle);
 }
 
 /// The coarsest step of a clock that shows all these times; 0 for one that is finer than a millisecond.

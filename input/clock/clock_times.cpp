@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/clock/clock_words.hpp"
+#include "solver/order_statistics.hpp"
 
 namespace tiretherm::input {
 
@@ -153,12 +154,7 @@ double median_step(const std::vector<double>& times) {
         }
         last = std::isnan(time) ? last : time;
     }
-    if (steps.empty()) {
-        return 0.0;
-    }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::ranges::nth_element(steps, middle);
-    return *middle;
+    return solver::median(std::move(steps));
 }
 
 /// Whether clocks are changed at this time: early on a Sunday. @param time s since 1970 or of a day  @param dated which of them

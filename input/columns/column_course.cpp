@@ -8,6 +8,8 @@
 #include <numeric>
 #include <set>
 
+#include "solver/order_statistics.hpp"
+
 namespace tiretherm::input {
 
 namespace {
@@ -275,10 +277,9 @@ bool is_function(const std::vector<double>& column, const std::vector<double>& i
             distance.push_back(std::abs(static_cast<double>(order[k]) - static_cast<double>(order[k - 1])));
         }
     }
-    const auto middle = distance.begin() + static_cast<std::ptrdiff_t>(distance.size() / 2);
-    std::nth_element(distance.begin(), middle, distance.end());
     return n_levels(of_input, least_levels) >= least_levels && n_levels(along, least_levels) >= least_levels &&
-           *middle > apart * static_cast<double>(column.size()) && roughness(along) < of_a_function;
+           solver::median(std::move(distance)) > apart * static_cast<double>(column.size()) &&
+           roughness(along) < of_a_function;
 }
 
 }  // namespace tiretherm::input

@@ -8,6 +8,7 @@
 
 #include "input/laps/file_laps.hpp"
 #include "physics/vehicle/local_mean.hpp"
+#include "solver/order_statistics.hpp"
 
 namespace tiretherm::input {
 
@@ -32,9 +33,7 @@ std::vector<std::size_t> new_samples(const std::vector<double>& time, Same same,
     if (steps.empty()) {
         return kept;
     }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    pace = *middle;
+    pace = solver::median(std::move(steps));
     for (std::size_t i = 0; i < time.size(); ++i) {
         if (kept.empty() ||
             (time[i] > time[kept.back()] && (!same(i, kept.back()) || time[i] - time[kept.back()] >= pace))) {

@@ -18,6 +18,7 @@
 #include "input/new_case/log_columns.hpp"
 #include "input/runs/runs.hpp"
 #include "input/text/table_shelf.hpp"
+#include "solver/order_statistics.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
@@ -62,9 +63,7 @@ void set_rate(ColumnSurvey& column, const Known& known, double from, double to, 
     if (steps.empty()) {
         return;
     }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    column.rate = 1.0 / *middle;
+    column.rate = 1.0 / solver::median(std::move(steps));
     const double expected = std::floor((to - from) * column.rate + 1e-3) + 1.0;
     const auto n = static_cast<double>(known.time.size());
     const double lacking = std::min(expected - n, static_cast<double>(rows) - n);  // an uneven clock empties no field

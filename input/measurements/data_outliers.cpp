@@ -10,6 +10,7 @@
 
 #include "input/measurements/data_stretches.hpp"
 #include "input/measurements/data_warnings.hpp"
+#include "solver/order_statistics.hpp"
 
 /// What looks suspicious in the course of a signal, whatever its unit.
 namespace tiretherm::input {
@@ -27,12 +28,6 @@ constexpr double steep = 0.75;           ///< of its height that a spike rises a
 constexpr double lively = 2.0;           ///< steps of an input about its spike, which is higher
 constexpr std::size_t half_window = 5;   ///< samples on either side of a running median
 constexpr std::size_t widest_spike = 3;  ///< samples; what lasts longer is an event. Of an input a single one
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// How far each sample lies from the median of those about it.
 std::vector<double> off_median(const std::vector<double>& value) {
@@ -69,7 +64,7 @@ double scale_of(const RecordedColumn& column, const std::vector<double>& off, co
     }
     const double least = column.is_input ? least_of_input : least_scale;
     return std::max(
-        {1.4826 * median(std::move(magnitudes)), least * (column.high() - column.low()), column.resolution()});
+        {1.4826 * solver::median(std::move(magnitudes)), least * (column.high() - column.low()), column.resolution()});
 }
 
 /// The largest step between neighbouring samples about a spike, which is left out.
@@ -110,9 +105,7 @@ std::string find_time_jumps(const Recording& recording) {
         return {};
     }
     const double longest = time[before_longest + 1] - time[before_longest];
-    const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
-    std::nth_element(between.begin(), middle, between.end());
-    const double usual = *middle;
+    const double usual = solver::median(between);
     const auto jumps = std::ranges::count_if(between, [&](double one) { return one > long_interval * usual; });
     if (jumps == 0) {
         return {};

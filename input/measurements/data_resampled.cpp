@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "input/measurements/data_warnings.hpp"
+#include "solver/order_statistics.hpp"
 
 namespace tiretherm::input {
 
@@ -207,9 +208,7 @@ double band(const std::vector<double>& density, double from, double to, bool med
     if (!median) {
         return std::accumulate(inside.begin(), inside.end(), 0.0) / static_cast<double>(inside.size());
     }
-    const auto middle = inside.begin() + static_cast<std::ptrdiff_t>(inside.size() / 2);
-    std::nth_element(inside.begin(), middle, inside.end());
-    return *middle;
+    return solver::median(std::move(inside));
 }
 
 /// Noise up to an edge and nothing half as high again: an interpolation has filled in what no logger has seen.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/measurements/data_warnings.hpp"
+#include "solver/order_statistics.hpp"
 
 namespace tiretherm::input {
 
@@ -55,10 +56,8 @@ Switching switching_of(const RecordedColumn& column) {
     }
     const double low = column.least();
     const double high = column.most();
-    const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
-    std::nth_element(changes.begin(), middle, changes.end());
     const bool coarse = high - low < least_range * std::max(std::abs(high), std::abs(low));
-    return coarse || *middle < least_change * (high - low) ? Switching{} : found;
+    return coarse || solver::median(std::move(changes)) < least_change * (high - low) ? Switching{} : found;
 }
 
 }  // namespace

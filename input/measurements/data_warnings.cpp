@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "solver/order_statistics.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::input {
@@ -28,11 +29,8 @@ constexpr std::array rules{Rule{find_frozen, true}, Rule{find_dead, true},      
                            Rule{find_clipped},      Rule{find_stuck},           Rule{find_dead_stretches},
                            Rule{find_outliers},     Rule{find_unit_slip, true}, Rule{find_unusual}};
 
-/// @param values are put in another order
-double quantile(std::vector<double>& values, double share) {
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
+double quantile(const std::vector<double>& values, double share) {
+    return solver::nth_smallest(values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5));
 }
 
 }  // namespace
@@ -59,10 +57,11 @@ const RecordedColumn::Statistics& RecordedColumn::statistics() const {
             smallest = step > 0.0 && (smallest == 0.0 || step < smallest) ? step : smallest;
         }
         const auto [least, most] = std::ranges::minmax(value);
-        std::vector<double> values = value;
-        const double low = quantile(values, 0.01);
-        const double high = quantile(values, 0.99);
-        known_statistics = {.least = least, .most = most, .low = low, .high = high, .resolution = smallest};
+        known_statistics = {.least = least,
+                            .most = most,
+                            .low = quantile(value, 0.01),
+                            .high = quantile(value, 0.99),
+                            .resolution = smallest};
     }
     return *known_statistics;
 }

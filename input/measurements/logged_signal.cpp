@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/text/units.hpp"
+#include "solver/order_statistics.hpp"
 
 namespace tiretherm::input {
 
@@ -39,12 +40,7 @@ double pace_of(const std::vector<double>& time, const std::vector<double>& value
             last = time[i];
         }
     }
-    if (steps.empty()) {
-        return 0.0;
-    }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return solver::median(std::move(steps));
 }
 
 /// A channel that was recorded more slowly than others has a value in every second or tenth line alone: missing is what its

@@ -9,6 +9,7 @@
 #include "input/new_case/case_tables.hpp"
 #include "input/toml/toml_text.hpp"
 #include "physics/vehicle/vehicle.hpp"
+#include "solver/order_statistics.hpp"
 
 namespace tiretherm::input {
 
@@ -51,9 +52,8 @@ double hardest_turn(const Log& log) {
         };
         size.push_back(std::hypot(of(lateral), of(along)) / physics::standard_gravity);
     }
-    const auto at = size.begin() + static_cast<std::ptrdiff_t>(hardest_share * static_cast<double>(size.size() - 1));
-    std::nth_element(size.begin(), at, size.end());
-    return *at;
+    const auto at = static_cast<std::size_t>(hardest_share * static_cast<double>(size.size() - 1));
+    return solver::nth_smallest(std::move(size), at);
 }
 
 void write_tires(CaseDraft& draft, const Log& log) {

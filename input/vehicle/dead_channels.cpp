@@ -16,6 +16,7 @@
 #include "input/vehicle/clock_shift.hpp"
 #include "physics/vehicle/local_mean.hpp"
 #include "physics/vehicle/vehicle.hpp"
+#include "solver/order_statistics.hpp"
 
 namespace tiretherm::input {
 
@@ -40,15 +41,12 @@ constexpr std::array noises{Noise{"longitudinal_acceleration", 0.5}, Noise{"late
                             Noise{"yaw_rate", 0.02}, Noise{"steering_wheel_angle", 0.02}};
 
 /// The width of the values but for a hundredth at either end.
-double span(Values values) {
+double span(const Values& values) {
     if (values.size() < fewest) {
         return 0.0;
     }
-    const auto cut = static_cast<std::ptrdiff_t>(tail * static_cast<double>(values.size()));
-    std::nth_element(values.begin(), values.begin() + cut, values.end());
-    const double low = values[static_cast<std::size_t>(cut)];
-    std::nth_element(values.begin(), values.end() - 1 - cut, values.end());
-    return values[values.size() - 1 - static_cast<std::size_t>(cut)] - low;
+    const auto cut = static_cast<std::size_t>(tail * static_cast<double>(values.size()));
+    return solver::nth_smallest(values, values.size() - 1 - cut) - solver::nth_smallest(values, cut);
 }
 
 double range(const Values& values) {

@@ -16,6 +16,7 @@
 
 namespace tiretherm::post {
 
+using namespace diagnosis;          // whose verdicts and
 using namespace diagnosis::quoted;  // whose results are rendered here
 
 namespace {
@@ -44,24 +45,50 @@ std::string fitted_text(const Attempt& attempt) {
            (attempt.fit.is_bound[0] ? ", at its limit" : "");
 }
 
-DataTable::Row attempt_row(const Attempt& attempt, std::size_t rank) {
-    const Share& removed = attempt.held_out.removed;
-    const auto percent = [](double share) { return fmt::format("{}", std::lround(100.0 * share)); };
-    return {page_only("", right(fmt::format("{}", rank))),
-            page_only("addition", attempt.addition.name()),
-            page_only("fitted", right(fitted_text(attempt))),
-            page_only("removed %", right(percent(removed.value))),
-            page_only("95 %", right(percent(removed.low) + " to " + percent(removed.high))),
-            page_only("left K", shown("{:.1f}", attempt.held_out.kelvin_after)),
-            page_only("fit u", shown("{:.1f}", attempt.rms_fitted)),
-            page_only("better in", right(fmt::format("{}", attempt.held_out.better.size()))),
-            page_only("", attempt.in_set ? "*" : "")};
+Value share_data(const Share& share) { return {{"value", share.value}, {"low", share.low}, {"high", share.high}}; }
+
+Value parameters_data(const Attempt& attempt) {
+    Value parameters = Value::Object{};
+    if (attempt.addition.is_fitted()) {
+        parameters.set(attempt.addition.key, {{"value", attempt.fit.values[0]},
+                                              {"unit", slashed_unit(attempt.addition.unit)},
+                                              {"low", attempt.fit.low[0]},
+                                              {"high", attempt.fit.high[0]}});
+    }
+    return parameters;
 }
 
+/// What each addition removes, the best first. @param most additions
 DataTable attempt_table(const Analysis& analysis, std::size_t most) {
+    const auto percent = [](double share) { return fmt::format("{}", std::lround(100.0 * share)); };
     DataTable table;
     for (std::size_t i = 0; i < std::min(most, analysis.attempts.size()); ++i) {
-        table.add(attempt_row(analysis.attempts[i], i + 1));
+        const Attempt& attempt = analysis.attempts[i];
+        const Addition& addition = attempt.addition;
+        const Share& removed = attempt.held_out.removed;
+        const double sigma = std::sqrt(std::max(0.0, analysis.chi_squared - attempt.fit.chi_squared));
+        table.add(
+            {page_only("", right(fmt::format("{}", i + 1))),
+             data_only("id", addition.id),
+             {"addition", "name", addition.name()},
+             data_only("kind", kind_names[static_cast<std::size_t>(addition.kind)]),
+             data_only("channel", where(addition.kind == AdditionKind::instrument, addition.id)),
+             page_only("fitted", right(fitted_text(attempt))),
+             data_only("parameters", parameters_data(attempt)),
+             data_only("plausible", {{"low", addition.low}, {"high", addition.high}, {"source", addition.source}}),
+             data_only("at_bound", static_cast<bool>(attempt.fit.is_bound[0])),
+             page_only("removed %", right(percent(removed.value))),
+             page_only("95 %", right(percent(removed.low) + " to " + percent(removed.high))),
+             data_only("removed", share_data(removed)),
+             data_only("heldout_rms_u", attempt.held_out.rms_after),
+             {"left K", "heldout_rms_K", shown("{:.1f}", attempt.held_out.kelvin_after)},
+             {"fit u", "fitted_rms_u", shown("{:.1f}", attempt.rms_fitted)},
+             {"better in", "better_experiments", count(attempt.held_out.better.size())},
+             data_only("fits", attempt.fits),
+             data_only("chi_squared", attempt.fit.chi_squared),
+             data_only("sigma", sigma),
+             {"", "in_set", {attempt.in_set, attempt.in_set ? "*" : "", false}},
+             data_only("rank", i + 1)});
     }
     return table;
 }
@@ -142,40 +169,6 @@ Section quoted_charts(const QuotedRecord& record) {
     return section;
 }
 
-Value share_data(const Share& share) { return {{"value", share.value}, {"low", share.low}, {"high", share.high}}; }
-
-Value attempts_data(const Analysis& analysis) {
-    Value::List list;
-    for (const Attempt& attempt : analysis.attempts) {
-        const Addition& addition = attempt.addition;
-        Value parameters = Value::Object{};
-        if (addition.is_fitted()) {
-            parameters.set(addition.key, {{"value", attempt.fit.values[0]},
-                                          {"unit", slashed_unit(addition.unit)},
-                                          {"low", attempt.fit.low[0]},
-                                          {"high", attempt.fit.high[0]}});
-        }
-        list.push_back({{"id", addition.id},
-                        {"name", addition.name()},
-                        {"kind", kind_names[static_cast<std::size_t>(addition.kind)]},
-                        {"channel", addition.kind == AdditionKind::instrument ? Value(addition.id) : Value()},
-                        {"parameters", std::move(parameters)},
-                        {"plausible", {{"low", addition.low}, {"high", addition.high}, {"source", addition.source}}},
-                        {"at_bound", static_cast<bool>(attempt.fit.is_bound[0])},
-                        {"removed", share_data(attempt.held_out.removed)},
-                        {"heldout_rms_u", attempt.held_out.rms_after},
-                        {"heldout_rms_K", attempt.held_out.kelvin_after},
-                        {"better_experiments", attempt.held_out.better.size()},
-                        {"fitted_rms_u", attempt.rms_fitted},
-                        {"fits", attempt.fits},
-                        {"chi_squared", attempt.fit.chi_squared},
-                        {"sigma", std::sqrt(std::max(0.0, analysis.chi_squared - attempt.fit.chi_squared))},
-                        {"in_set", attempt.in_set},
-                        {"rank", list.size() + 1}});
-    }
-    return list;
-}
-
 Value names_data(const QuotedDiagnosis& result, const std::vector<std::size_t>& experiments) {
     Value::List list;
     for (const std::size_t one : experiments) {
@@ -224,7 +217,7 @@ Value analysis_data(const QuotedDiagnosis& result, const Analysis& analysis) {
     for (const std::vector<std::string>& one : analysis.set) {
         set.push_back(Value(one));
     }
-    return {{"verdict", verdict_names[static_cast<std::size_t>(analysis.verdict)]},
+    return {{"verdict", word_of(analysis.verdict)},
             {"numbers", analysis.n_rows},
             {"experiments", names_data(result, analysis.experiments)},
             {"off", names_data(result, analysis.off)},
@@ -232,7 +225,7 @@ Value analysis_data(const QuotedDiagnosis& result, const Analysis& analysis) {
             {"rms_K", analysis.kelvin},
             {"significance", analysis.significance},
             {"significance_after", where(!analysis.steps.empty(), analysis.significance_after)},
-            {"causes", attempts_data(analysis)},
+            {"causes", attempt_table(analysis, analysis.attempts.size()).data()},
             {"without_effect", analysis.without_effect},
             {"steps", std::move(steps)},
             {"set", std::move(set)},

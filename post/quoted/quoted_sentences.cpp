@@ -10,6 +10,7 @@
 
 namespace tiretherm::post {
 
+using namespace diagnosis;          // whose verdicts and
 using namespace diagnosis::quoted;  // whose results are rendered here
 
 namespace {
@@ -114,12 +115,12 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
                     plural(analysis.experiments.size(), "experiment"), experiments(record, analysis.experiments),
                     analysis.rms, analysis.kelvin > 0.0 ? fmt::format(" ({:.1f} K)", analysis.kelvin) : "");
     switch (analysis.verdict) {
-        case QuotedVerdict::consistent:
+        case Verdict::consistent:
             all.push_back(fmt::format(
                 "The model agrees with the {} within their uncertainty: nothing is to be explained.", which));
             all.push_back(lead);
             return;
-        case QuotedVerdict::cannot_tell:
+        case Verdict::cannot_tell:
             if (analysis.off.empty()) {
                 all.push_back(fmt::format("The {} are too few for a conclusion.", which));
             } else {
@@ -132,7 +133,7 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
             all.push_back(best_text(analysis));
             all.push_back(fitting_text(analysis));
             return;
-        case QuotedVerdict::unknown:
+        case Verdict::unknown:
             all.push_back(
                 fmt::format("No cause is proven: of the {} {} are off by more than 2 u, and no addition predicts "
                             "experiments that it was not fitted to better than the model as it is. The cause is none "
@@ -142,13 +143,13 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
             all.push_back(best_text(analysis));
             all.push_back(fitting_text(analysis));
             return;
-        case QuotedVerdict::partial:
-        case QuotedVerdict::named:
-        case QuotedVerdict::confounded:
+        case Verdict::partial:
+        case Verdict::named:
+        case Verdict::confounded:
             break;
     }
     const Share& removed = analysis.steps.back().held_out.removed;
-    if (analysis.verdict == QuotedVerdict::partial) {
+    if (analysis.verdict == Verdict::partial) {
         const Share& first = analysis.steps.front().held_out.removed;
         all.push_back(
             fmt::format("The largest single improvement is {}; it removes {} of the error on experiments left out (95 "

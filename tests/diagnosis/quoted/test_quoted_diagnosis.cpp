@@ -74,7 +74,7 @@ TEST(QuotedDiagnosis, NamesTheHiddenExponentOfTheLoad) {
     const QuotedDiagnosis found = MadeUpTable(hide("load_exponent_of_loss", "exponent", -0.5), 1).diagnose();
     const Analysis& analysis = found.decidable;
     ASSERT_EQ(analysis.experiments.size(), made_up_tests.size());
-    EXPECT_EQ(analysis.verdict, QuotedVerdict::named);
+    EXPECT_EQ(analysis.verdict, Verdict::named);
     ASSERT_FALSE(analysis.steps.empty());
     EXPECT_EQ(analysis.steps.front().addition.name(), "load_exponent_of_loss.exponent");
     EXPECT_EQ(analysis.set.size(), 1U);
@@ -88,7 +88,7 @@ TEST(QuotedDiagnosis, NamesTheHiddenExponentOfTheLoad) {
 TEST(QuotedDiagnosis, WhatTheNumbersCannotTellApartIsASet) {
     const QuotedDiagnosis found = MadeUpTable(hide("sidewall_convection", "conductance", 8.0), 2).diagnose();
     const Analysis& analysis = found.decidable;
-    EXPECT_EQ(analysis.verdict, QuotedVerdict::confounded);
+    EXPECT_EQ(analysis.verdict, Verdict::confounded);
     EXPECT_TRUE(is_in_set(analysis, "sidewall_convection.conductance"));
     EXPECT_TRUE(is_in_set(analysis, "inner_gas.liner"));
     EXPECT_TRUE(found.next.has_value());
@@ -99,7 +99,7 @@ TEST(QuotedDiagnosis, WhatTheNumbersCannotTellApartIsASet) {
 TEST(QuotedDiagnosis, NothingHiddenIsConsistent) {
     for (const unsigned seed : {3U, 4U, 5U}) {
         const QuotedDiagnosis found = MadeUpTable([](solver::Problem&) {}, seed).diagnose();
-        EXPECT_TRUE(found.decidable.verdict == QuotedVerdict::consistent) << "seed " << seed;
+        EXPECT_TRUE(found.decidable.verdict == Verdict::consistent) << "seed " << seed;
         EXPECT_TRUE(found.decidable.steps.empty());
         EXPECT_NEAR(found.decidable.rms, 1.0, 0.5);  // standard deviation of an rms of 20: 1/sqrt(40) = 0.16
     }
@@ -137,7 +137,7 @@ TEST(QuotedDiagnosis, WhatIsOnlyPartlyExplainedIsPartial) {
                                       7)
                                       .diagnose();
     const Analysis& analysis = found.decidable;
-    EXPECT_EQ(analysis.verdict, QuotedVerdict::partial) << analysis.significance << ", " << analysis.significance_after;
+    EXPECT_EQ(analysis.verdict, Verdict::partial) << analysis.significance << ", " << analysis.significance_after;
     EXPECT_TRUE(is_in_set(analysis, "sidewall_convection.conductance"));
     EXPECT_GT(analysis.steps.front().held_out.removed.low, 0.0);
     EXPECT_GT(analysis.significance_after, 2.33);
@@ -159,7 +159,7 @@ TEST(QuotedDiagnosisLong, IsNotSureOfWhatIsWrong) {
                                          {"loss_frequency_shift", "per_decade", 9.0},
                                          {"layer_conductivity", "scale", 0.75}}};
     const auto explains = [](const Analysis& analysis) {
-        return analysis.verdict == QuotedVerdict::named || analysis.verdict == QuotedVerdict::confounded;
+        return analysis.verdict == Verdict::named || analysis.verdict == Verdict::confounded;
     };
     int explained = 0;
     int wrong = 0;
@@ -179,7 +179,7 @@ TEST(QuotedDiagnosisLong, IsNotSureOfWhatIsWrong) {
     int taken_for_a_cause = 0;
     for (unsigned seed = 200; seed < 215; ++seed) {
         const QuotedDiagnosis empty = MadeUpTable([](solver::Problem&) {}, seed).diagnose();
-        alarms += empty.decidable.verdict != QuotedVerdict::consistent ? 1 : 0;
+        alarms += empty.decidable.verdict != Verdict::consistent ? 1 : 0;
         std::mt19937 engine(seed);
         std::normal_distribution<double> error(1.0, 0.15);
         const QuotedDiagnosis scattered =
