@@ -24,17 +24,15 @@ std::optional<std::array<double, 2>> read_size(TomlTable& camera) {
     const std::vector<LocatedString> words = camera.texts("pixel_size");
     std::vector<double> sizes;
     for (const LocatedString& word : words) {
-        const ParsedQuantity parsed = parse_quantity(word.text, pixel, "pixel_size");
-        if (parsed.error) {
-            camera.errors().add(word.place, *parsed.error);
+        const std::optional<double> size = read_quantity(word, pixel, "pixel_size", camera.errors());
+        if (!size) {
             return std::nullopt;
         }
-        sizes.push_back(parsed.value);
+        sizes.push_back(*size);
     }
     if (sizes.size() > 2) {
-        camera.add_error("pixel_size", fmt::format("pixel_size has {} values", sizes.size()),
-                         "give one, or two: along a row and along a column of the image");
-        return std::nullopt;
+        return camera.add_error("pixel_size", fmt::format("pixel_size has {} values", sizes.size()),
+                                "give one, or two: along a row and along a column of the image");
     }
     return sizes.empty() ? std::nullopt : std::optional(std::array{sizes.front(), sizes.back()});
 }
@@ -50,9 +48,8 @@ std::optional<std::array<int, 2>> read_stretch(TomlTable& camera, std::string_vi
     };
     if (list->kind != TomlValue::Kind::array || list->items.size() != 2 || !sound(list->items[0]) ||
         !sound(list->items[1]) || list->items[0].number > list->items[1].number) {
-        camera.add_error(key, fmt::format("{} is no stretch of the image", key),
-                         fmt::format("write {} = [8, 55], the first and the last that count, from 0 on", key));
-        return std::nullopt;
+        return camera.add_error(key, fmt::format("{} is no stretch of the image", key),
+                                fmt::format("write {} = [8, 55], the first and the last that count, from 0 on", key));
     }
     return std::array{static_cast<int>(list->items[0].number), static_cast<int>(list->items[1].number)};
 }

@@ -111,10 +111,9 @@ std::optional<FrameFile> open_csv_frames(const std::filesystem::path& path, cons
         return std::nullopt;
     }
     if (found.time < 0 || found.place.empty()) {
-        errors.add({.file = file->number()},
-                   found.time < 0 ? "the file has no column time" : "the file has no column of a pixel",
-                   "write a column time [s] and one for each pixel, r0c0 [degC], r0c1 [degC] ...");
-        return std::nullopt;
+        return errors.add({.file = file->number()},
+                          found.time < 0 ? "the file has no column time" : "the file has no column of a pixel",
+                          "write a column time [s] and one for each pixel, r0c0 [degC], r0c1 [degC] ...");
     }
     if (!check_shape(found, *file, errors)) {
         return std::nullopt;

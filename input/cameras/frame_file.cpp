@@ -29,30 +29,28 @@ std::optional<std::array<std::size_t, 2>> image_of(const Hdf5Stack& frames, int 
     const std::vector<double> columns = frames.numbers("columns");
     if (shape.size() == 3) {
         if (std::max(shape[1], shape[2]) > most_pixels) {
-            errors.add({.file = number},
-                       fmt::format("an image has {} x {} pixels, and at most {} x {} are read", shape[1], shape[2],
-                                   most_pixels, most_pixels),
-                       wanted_form);
-            return std::nullopt;
+            return errors.add({.file = number},
+                              fmt::format("an image has {} x {} pixels, and at most {} x {} are read", shape[1],
+                                          shape[2], most_pixels, most_pixels),
+                              wanted_form);
         }
         return std::array{shape[1], shape[2]};
     }
     if (shape.size() != 2 || rows.empty() || columns.empty()) {
-        errors.add({.file = number},
-                   shape.size() == 2 ? std::string("frames has two dimensions and no attributes rows and columns")
-                                     : fmt::format("frames has {} dimension{}, not three", shape.size(),
-                                                   shape.size() == 1 ? "" : "s"),
-                   wanted_form);
-        return std::nullopt;
+        return errors.add(
+            {.file = number},
+            shape.size() == 2
+                ? std::string("frames has two dimensions and no attributes rows and columns")
+                : fmt::format("frames has {} dimension{}, not three", shape.size(), shape.size() == 1 ? "" : "s"),
+            wanted_form);
     }
     const double pixels = rows.front() * columns.front();
     const auto counts = [](double size) { return size >= 1.0 && size == std::floor(size); };
     if (!counts(rows.front()) || !counts(columns.front()) || pixels != static_cast<double>(shape[1])) {
-        errors.add({.file = number},
-                   fmt::format("an image of {:g} x {:g} pixels has {:g} values, and frames has {} in a row",
-                               rows.front(), columns.front(), pixels, shape[1]),
-                   "correct the attributes rows and columns, or write three dimensions");
-        return std::nullopt;
+        return errors.add({.file = number},
+                          fmt::format("an image of {:g} x {:g} pixels has {:g} values, and frames has {} in a row",
+                                      rows.front(), columns.front(), pixels, shape[1]),
+                          "correct the attributes rows and columns, or write three dimensions");
     }
     return std::array{static_cast<std::size_t>(rows.front()), static_cast<std::size_t>(columns.front())};
 }
@@ -65,13 +63,12 @@ std::optional<Conversion> unit_of(const Hdf5Stack& stack, const std::string& dat
     const std::string remedy =
         fmt::format("give the dataset {} the attribute {} = \"{}\"", dataset, attribute, example);
     if (unit.empty()) {
-        errors.add({.file = number}, fmt::format("the dataset {} has no attribute {}", dataset, attribute), remedy);
-        return std::nullopt;
+        return errors.add({.file = number}, fmt::format("the dataset {} has no attribute {}", dataset, attribute),
+                          remedy);
     }
     const UnitRead read = read_unit(unit, spec, fmt::format("the dataset {} is in \"{}\"", dataset, unit));
     if (read.error) {
-        errors.add({.file = number}, read.error->what, remedy);
-        return std::nullopt;
+        return errors.add({.file = number}, read.error->what, remedy);
     }
     return read.conversion;
 }
@@ -122,11 +119,10 @@ std::optional<std::array<double, 2>> read_pixel_size(const Hdf5Stack& frames, in
     const double x = conversion->to_si(written.front());
     const double y = conversion->to_si(written.size() > 1 ? written[1] : written.front());
     if (written.size() > 2 || !(x > 0.0) || !(y > 0.0)) {
-        errors.add(
+        return errors.add(
             {.file = number},
             written.size() > 2 ? fmt::format("pixel_size has {} numbers", written.size()) : "pixel_size is not above 0",
             "give one number, or two: along a row and along a column");
-        return std::nullopt;
     }
     return std::array{x, y};
 }
@@ -157,9 +153,9 @@ std::optional<FrameFile> open_hdf5_frames(const std::filesystem::path& path, int
     ErrorText defect;
     auto stack = Hdf5Stack::open(path, "frames", defect);
     if (!stack) {
-        errors.add(place, defect.what.empty() ? ErrorText{"the file has no dataset frames of numbers", wanted_form}
-                                              : std::move(defect));
-        return std::nullopt;
+        return errors.add(place, defect.what.empty()
+                                     ? ErrorText{"the file has no dataset frames of numbers", wanted_form}
+                                     : std::move(defect));
     }
     const std::vector<std::size_t>& shape = stack->shape();
     const std::optional<std::array<std::size_t, 2>> image = image_of(*stack, number, errors);

@@ -43,22 +43,14 @@ bool take(std::string_view& text, char c) {
     return found;
 }
 
-/// The first letters of a word in small ones.
-struct Word {
-    std::array<char, 5> letters{};
-    std::size_t count = 0;
-    [[nodiscard]] std::string_view text() const { return {letters.data(), std::min(count, letters.size())}; }
-};
+bool may_be_in_word(char c) { return is_letter(c) || static_cast<unsigned char>(c) >= 0x80U; }
 
-Word take_word(std::string_view& text) {
-    Word word;
-    while (!text.empty() && (is_letter(text.front()) || static_cast<unsigned char>(text.front()) >= 0x80U)) {
-        if (word.count < word.letters.size()) {
-            word.letters[word.count] = small(text.front());
-        }
-        ++word.count;
-        text.remove_prefix(1);
-    }
+/// A word in small letters.
+std::string take_word(std::string_view& text) {
+    const auto size = std::ranges::find_if_not(text, may_be_in_word) - text.begin();
+    std::string word(text.substr(0, static_cast<std::size_t>(size)));
+    std::ranges::transform(word, word.begin(), small);
+    text.remove_prefix(word.size());
     return word;
 }
 
@@ -94,7 +86,7 @@ private:
         if ((c == '+' || c == '-') && has_time_) {
             return take_offset();
         }
-        if (is_letter(c) || static_cast<unsigned char>(c) >= 0x80U) {
+        if (may_be_in_word(c)) {
             return take_name();
         }
         rest_.remove_prefix(1);
@@ -141,7 +133,7 @@ private:
     /// 24.10.2026, 10/24/26, 2026-10-24, 24-Oct-2026.
     bool take_date(const Digits& first, char separator) {
         rest_.remove_prefix(1);
-        if (is_letter(rest_.front()) || static_cast<unsigned char>(rest_.front()) >= 0x80U) {
+        if (may_be_in_word(rest_.front())) {
             bare_[bare_count_++] = first;
             return take_name();
         }
@@ -235,13 +227,12 @@ private:
     }
 
     bool take_name() {
-        const Word word = take_word(rest_);
-        const std::string_view text = word.text();
+        const std::string text = take_word(rest_);
         if (text == "t" && (stamp_.orders != 0 || month_ > 0)) {
             return true;
         }
         if ((text == "am" || text == "pm" || text == "a" || text == "p") && has_time_) {
-            if (word.count == 1) {  // a.m.
+            if (text.size() == 1) {  // a.m.
                 static_cast<void>(take(rest_, '.') && take(rest_, 'm') && take(rest_, '.'));
             }
             half_ = text.front() == 'p' ? 12 : 0;

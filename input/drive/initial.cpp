@@ -84,11 +84,10 @@ std::optional<double> StartReader::read(TomlTable& initial, std::string_view key
         std::vector<std::string> names = channels;
         names.emplace_back("air_temperature");
         const std::string near = nearest(node->text, names);
-        initial.add_error(
+        return initial.add_error(
             key, fmt::format("{} is \"{}\", which is neither a temperature nor a sensor", key, node->text),
             near.empty() ? fmt::format("write a temperature, such as \"25 degC\", or one of: {}", listed(names))
                          : fmt::format("did you mean `{}`?", near));
-        return std::nullopt;
     }
     if (!is_text || node->text != "air_temperature") {
         return initial.quantity(key, quantity_specs::temperature, need);

@@ -56,8 +56,7 @@ void DriveReader::read_log(TomlTable& table) {
         return;
     }
     const SourceLocation mentioned = table.place("path");
-    const fs::path beside = fs::path(errors.file(mentioned.file)).parent_path();
-    std::optional<DataFile> file = DataFile::open((beside / *path).lexically_normal(), mentioned, errors);
+    std::optional<DataFile> file = DataFile::open(errors.beside(mentioned, *path), mentioned, errors);
     if (!file) {
         return;
     }

@@ -77,8 +77,7 @@ void read_frame_files(TomlTable& table, RunTable& run) {
     const auto add = [&](const LocatedString& camera, const std::optional<std::string>& path,
                          const SourceLocation& place) {
         if (path) {
-            const fs::path beside = fs::path(table.errors().file(place.file)).parent_path();
-            run.frames.push_back({.camera = camera, .path = (beside / *path).lexically_normal(), .place = place});
+            run.frames.push_back({.camera = camera, .path = table.errors().beside(place, *path), .place = place});
         }
     };
     if (frames != nullptr && frames->kind == TomlValue::Kind::table) {
@@ -102,8 +101,7 @@ RunTable read_run(TomlTable& table) {
     read_corners_of_run(table);
     if (file) {
         run.place = table.place("file");
-        const fs::path beside = fs::path(table.errors().file(run.place.file)).parent_path();
-        run.file = (beside / *file).lexically_normal();
+        run.file = table.errors().beside(run.place, *file);
     } else if (!table.has("file")) {
         for (const std::string_view key : {"columns", "units", "unit_names", "ignore", "hold", "keep_suspicious",
                                            "from", "to", "laps", "repeat_first_lap", "start_line"}) {

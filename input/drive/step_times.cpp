@@ -51,9 +51,9 @@ std::optional<std::vector<double>> step_times(const DataFile& file, const TomlVa
     const std::vector<solver::ScheduleStep> steps = steps_of(document, errors);
     constexpr std::string_view as_times = "write the time of each column as its heading: \"20 min\"";
     if (steps.empty()) {
-        errors.add(file.spot(0).place, "the columns are steps of a test, and the case has no schedule with steps",
-                   std::string(as_times));
-        return std::nullopt;
+        return errors.add(file.spot(0).place,
+                          "the columns are steps of a test, and the case has no schedule with steps",
+                          std::string(as_times));
     }
     std::vector<std::string> known;
     std::ranges::transform(steps, std::back_inserter(known),
@@ -66,13 +66,12 @@ std::optional<std::vector<double>> step_times(const DataFile& file, const TomlVa
         };
         const auto n = std::ranges::count_if(steps, is_meant);
         if (n != 1) {
-            errors.add(
+            return errors.add(
                 file.spot(k).place,
                 fmt::format("{} of the case's schedule {} {}", n == 0 ? "no step" : fmt::format("{} steps", n),
                             by_speed ? n == 0 ? "runs at" : "run at" : "has the number",
                             by_speed ? fmt::format("{:.4g} km/h", km_per_hour * wanted) : fmt::format("{:g}", wanted)),
                 fmt::format("its steps are {}; or {}", listed(known), as_times));
-            return std::nullopt;
         }
         times.push_back(std::ranges::find_if(steps, is_meant)->to);
     }

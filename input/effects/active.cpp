@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "input/model/law.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
@@ -64,13 +64,12 @@ bool refuse_word(TomlTable& table, const Effect& effect, std::string_view key) {
     return true;
 }
 
-/// A list of parts of the mesh: `patches` or `layers`.
+/// A list of parts of the mesh: `patches` or `layers`. Without a mesh nothing is known of them.
 /// @param plural what messages call them; the key itself
-template <typename Find>
-void read_parts(TomlTable& table, std::string_view plural, const std::vector<std::string>& known, const Find& find,
+void read_parts(TomlTable& table, std::string_view plural, const std::vector<std::string>& known, bool has_mesh,
                 std::vector<int>& parts) {
     const std::vector<LocatedString> words = table.texts(plural);
-    if (!table.has(plural)) {
+    if (!has_mesh || !table.has(plural)) {
         return;
     }
     const std::string one(plural.substr(0, plural == "patches" ? 5 : plural.size() - 1));
@@ -80,14 +79,11 @@ void read_parts(TomlTable& table, std::string_view plural, const std::vector<std
     }
     parts.clear();
     for (const LocatedString& word : words) {
-        const int part = find(word.text);
-        if (part < 0) {
-            table.errors().add(word.place, fmt::format("the mesh has no {} \"{}\"", one, word.text),
-                               suggest(word.text, known, plural));
-        } else if (std::find(parts.begin(), parts.end(), part) != parts.end()) {
+        const auto part = find_name(word, known, fmt::format("the mesh has no {}", one), plural, table.errors());
+        if (part && std::ranges::count(parts, static_cast<int>(*part)) > 0) {
             table.errors().add(word.place, fmt::format("the {} \"{}\" is named twice", one, word.text), "remove one");
-        } else {
-            parts.push_back(part);
+        } else if (part) {
+            parts.push_back(static_cast<int>(*part));
         }
     }
 }
@@ -177,22 +173,10 @@ ActiveEffect read_active(TomlTable& table, const Effect& effect, const mesh::Mes
                                       {.unit = curve.value_unit, .low = 0.0, .high = 1e9});
     }
     if (!effect.patches.empty()) {
-        if (has_mesh) {
-            read_parts(
-                table, "patches", names_of(mesh.patches), [&](std::string_view name) { return mesh.find_patch(name); },
-                active.patches);
-        } else {
-            table.texts("patches");
-        }
+        read_parts(table, "patches", names_of(mesh.patches), has_mesh, active.patches);
     }
     if (effect.on_layers) {
-        if (has_mesh) {
-            read_parts(
-                table, "layers", mesh.layers, [&](std::string_view name) { return mesh.find_layer(name); },
-                active.layers);
-        } else {
-            table.texts("layers");
-        }
+        read_parts(table, "layers", mesh.layers, has_mesh, active.layers);
     }
     for (const Overridable& where : overridable(effect, mesh, active)) {
         for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
@@ -264,48 +248,39 @@ void bind_channels(TomlTable& table, const std::vector<Camera>& cameras, const s
     // A camera's channels go by the camera's name.
     std::vector<std::string> known = names_of(problem.channels);
     known.resize(problem.n_sensors());
-    const auto find = [&](std::string_view name) {
-        const auto found = std::find(known.begin(), known.end(), name);
-        return found == known.end() ? -1 : static_cast<int>(found - known.begin());
-    };
     const std::string example = fmt::format("write channels = [\"{}\"]", known.empty() ? "..." : known.front());
     if (!table.has("channels")) {
         table.add_error("channels", fmt::format("{} lacks channels: which sensors read so", table.title()), example);
     }
     for (const LocatedString& word : table.texts("channels")) {
-        if (const int channel = find(word.text); channel >= 0) {
-            active.channels.push_back(channel);
-            check_channel(table, word, *active.effect, problem.channels[static_cast<std::size_t>(channel)]);
-        } else if (const auto camera = std::ranges::find(cameras, word.text, &Camera::name); camera != cameras.end()) {
+        if (const auto camera = std::ranges::find(cameras, word.text, &Camera::name); camera != cameras.end()) {
             bind_camera(table, word, *camera, problem, active);
-        } else {
-            table.errors().add(word.place, fmt::format("there is no sensor \"{}\"", word.text),
-                               suggest(word.text, known, "sensors"));
+        } else if (const auto channel = find_name(word, known, "there is no sensor", "sensors", table.errors())) {
+            active.channels.push_back(static_cast<int>(*channel));
+            check_channel(table, word, *active.effect, problem.channels[*channel]);
         }
     }
     for (std::size_t i = 0; i < active.effect->parameters.size(); ++i) {
         const ParameterSpec& parameter = active.effect->parameters[i];
         TomlTable values = table.subtable(std::string(parameter.key) + "_by_channel");
-        for (const Camera& camera : cameras) {
-            if (const auto value =
-                    values.exists() ? values.quantity(camera.name, quantity_specs::of(parameter)) : std::nullopt) {
-                for (const int channel : active.channels) {
-                    if (camera.channels.contains(channel)) {
-                        active.overrides.push_back(
-                            {.scope = physics::Scope::channel, .index = channel, .parameter = i, .value = *value});
-                    }
-                }
-            }
+        if (!values.exists()) {
+            continue;
         }
+        if (problem.mesh.n_nodes == 0) {
+            values.allow_unknown_keys();  // a camera has no channels then
+        }
+        std::map<std::string, std::optional<double>> read;  // a camera's once for all its channels
         for (const int channel : active.channels) {
-            if (static_cast<std::size_t>(channel) >= known.size()) {
-                continue;
+            const solver::CameraChannels* camera = problem.camera_of(channel);
+            const std::string& name =
+                camera != nullptr ? camera->camera : problem.channels[static_cast<std::size_t>(channel)].name;
+            const auto [value, is_new] = read.try_emplace(name);
+            if (is_new) {
+                value->second = values.quantity(name, quantity_specs::of(parameter));
             }
-            const std::string& name = known[static_cast<std::size_t>(channel)];
-            if (const auto value =
-                    values.exists() ? values.quantity(name, quantity_specs::of(parameter)) : std::nullopt) {
+            if (value->second) {
                 active.overrides.push_back(
-                    {.scope = physics::Scope::channel, .index = channel, .parameter = i, .value = *value});
+                    {.scope = physics::Scope::channel, .index = channel, .parameter = i, .value = *value->second});
             }
         }
     }

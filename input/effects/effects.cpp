@@ -19,20 +19,11 @@ using physics::ActiveEffect;
 using physics::Effect;
 
 void report_unknown(TomlTable& effects) {
-    std::vector<std::string> known;
-    for (const Effect* effect : physics::catalogue()) {
-        if (!physics::is_user_effect(*effect)) {
-            known.emplace_back(effect->id);
-        }
-    }
     for (const Entry& entry : effects.content().entries) {
         if (physics::find_effect(entry.key) == nullptr) {
             effects.declare_keys({entry.key});
-            // The catalogue is too long for a message.
-            const std::string remedy = nearest(entry.key, known).empty()
-                                           ? fmt::format("`tiretherm effects` lists all {} of them", known.size())
-                                           : suggest(entry.key, known, "effects");
-            effects.errors().add(entry.place, fmt::format("there is no effect \"{}\"", entry.key), remedy);
+            effects.errors().add(entry.place, fmt::format("there is no effect \"{}\"", entry.key),
+                                 unknown_effect_remedy(entry.key));
         }
     }
 }
@@ -50,6 +41,19 @@ void refuse_user_effect(TomlTable& table, const Effect& effect) {
 }
 
 }  // namespace
+
+std::string unknown_effect_remedy(std::string_view id, std::vector<std::string> known) {
+    std::size_t of_the_catalogue = 0;
+    for (const Effect* effect : physics::catalogue()) {
+        if (!physics::is_user_effect(*effect)) {
+            known.emplace_back(effect->id);
+            ++of_the_catalogue;
+        }
+    }
+    // The catalogue is too long for a message.
+    return nearest(id, known).empty() ? fmt::format("`tiretherm effects` lists all {} of them", of_the_catalogue)
+                                      : suggest(id, known, "effects");
+}
 
 bool read_effects(TomlTable& root, const EffectSurroundings& in, solver::Problem& problem) {
     const bool has_mesh = problem.mesh.n_nodes > 0;

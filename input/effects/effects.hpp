@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "input/cameras/camera.hpp"
@@ -16,6 +17,9 @@ struct EffectSurroundings {
     const DrivenSignals& signals;    ///< but for their inputs, which the problem has
     const RunInputs* run = nullptr;  ///< that is measured; null: none
 };
+
+/// What to do about a name that no effect has. @param known names beside those of the catalogue
+[[nodiscard]] std::string unknown_effect_remedy(std::string_view id, std::vector<std::string> known = {});
 
 /// The effects of the catalogue, but for what follows the run's times and the sensors. @returns whether all are sound
 [[nodiscard]] bool read_effects(TomlTable& root, const EffectSurroundings& in, solver::Problem& problem);

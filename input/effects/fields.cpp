@@ -3,7 +3,6 @@
 // and, where wanted, total watts.
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <numeric>
 
@@ -18,7 +17,6 @@ namespace tiretherm::input {
 
 namespace {
 
-namespace fs = std::filesystem;
 using physics::ActiveEffect;
 using physics::Field;
 using physics::FieldOf;
@@ -156,9 +154,8 @@ public:
             return;
         }
         const SourceLocation mentioned = table_.place("field");
-        const fs::path beside = fs::path(errors_.file(mentioned.file)).parent_path();
         const std::optional<FieldFile> file =
-            read_field_file((beside / *name).lexically_normal(), mentioned, active_.effect->field(), by_watts,
+            read_field_file(errors_.beside(mentioned, *name), mentioned, active_.effect->field(), by_watts,
                             !mesh.columns.empty(), errors_);
         if (file && fits(*file, *name) && errors_.count() == before) {
             take(*file, by_watts, *name);

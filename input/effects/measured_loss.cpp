@@ -5,7 +5,6 @@
 #include "input/effects/measured_loss.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -16,7 +15,6 @@ namespace tiretherm::input {
 
 namespace {
 
-namespace fs = std::filesystem;
 using physics::MeasuredLoss;
 
 /// What is measured over must be among the inputs.
@@ -52,9 +50,8 @@ void warn_beyond(const TomlTable& table, const physics::Signal& signal, const st
 std::optional<MeasuredLoss> read_table(TomlTable& table, const std::string& name, const solver::InputSignals& inputs,
                                        const GivenSignals& given, std::vector<std::string>& over) {
     const SourceLocation mentioned = table.place("total");
-    const fs::path beside = fs::path(table.errors().file(mentioned.file)).parent_path();
     std::optional<ResistanceFile> file =
-        read_resistance_table((beside / name).lexically_normal(), mentioned, table.errors());
+        read_resistance_table(table.errors().beside(mentioned, name), mentioned, table.errors());
     if (!file) {
         return std::nullopt;
     }
@@ -90,15 +87,8 @@ double unit_of_fit(TomlTable& fit, std::string_view key, const QuantitySpec& spe
 MeasuredLoss read_coastdown(TomlTable& table, const solver::InputSignals& inputs, const GivenSignals& given,
                             std::vector<std::string>& over) {
     TomlTable fit = table.subtable("coastdown");
-    const auto number = [&](std::string_view key, double low, double high) {
-        return fit.quantity(key, {.unit = "1", .low = low, .high = high}, Need::required).value_or(0.0);
-    };
     physics::CoastdownFit found;
-    found.law = {.pressure_exponent = number("alpha", -5.0, 5.0),
-                 .load_exponent = number("beta", -5.0, 5.0),
-                 .constant = number("a", 0.0, 1e12),
-                 .linear = number("b", -1e12, 1e12),
-                 .quadratic = number("c", -1e12, 1e12)};
+    fit.read_into(found.law);
     found.pressure_unit = unit_of_fit(fit, "pressure_unit", {.unit = "Pa"}, "kPa");
     found.load_unit = unit_of_fit(fit, "load_unit", {.unit = "N"}, "N");
     found.speed_unit = unit_of_fit(fit, "speed_unit", {.unit = "m s-1"}, "km/h");

@@ -10,7 +10,6 @@
 
 #include "input/tables/data_file.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
@@ -68,10 +67,8 @@ private:
     void check_names() {
         const std::vector<std::string> known = names_of(known_columns());
         for (const ColumnHead& head : file_.heads()) {
-            if (std::ranges::find(known, head.heading.name) == known.end()) {
-                errors_.add(head.place, fmt::format("a table of the loss has no column \"{}\"", head.heading.name),
-                            suggest(head.heading.name, known, "columns"));
-            }
+            static_cast<void>(find_name({head.heading.name, head.place}, known, "a table of the loss has no column",
+                                        "columns", errors_));
         }
     }
 
@@ -106,9 +103,8 @@ private:
             found.names.push_back(requests_[a].name);
         }
         if (size > most_) {
-            errors_.add(top(), fmt::format("the full grid of the table would have {} points", size),
-                        "give every variable the same few values in all rows");
-            return std::nullopt;
+            return errors_.add(top(), fmt::format("the full grid of the table would have {} points", size),
+                               "give every variable the same few values in all rows");
         }
         std::vector<double>& force = found.table.force;
         force.assign(size, std::nan(""));
@@ -121,26 +117,24 @@ private:
             }
             if (!std::isnan(force[index])) {
                 const FieldLocation spot = file_.spot(row);
-                errors_.add(spot.place, fmt::format("a second row for the same point{}", spot.aside),
-                            "keep one of them, or their mean");
-                return std::nullopt;
+                return errors_.add(spot.place, fmt::format("a second row for the same point{}", spot.aside),
+                                   "keep one of them, or their mean");
             }
             force[index] = measured[row];
             if (has("power")) {
                 const double speed = values_.front()[row];
                 if (!(speed > 0.0)) {
                     const FieldLocation spot = file_.spot(row);
-                    errors_.add(spot.place, fmt::format("a power at a standstill{}", spot.aside), "leave the row out");
-                    return std::nullopt;
+                    return errors_.add(spot.place, fmt::format("a power at a standstill{}", spot.aside),
+                                       "leave the row out");
                 }
                 force[index] /= speed;
             }
         }
         if (const auto gap = std::ranges::find_if(force, [](double f) { return std::isnan(f); }); gap != force.end()) {
-            errors_.add(top(),
-                        "the table has no row for " + spelt(found, static_cast<std::size_t>(gap - force.begin())),
-                        "every combination of the values must be there");
-            return std::nullopt;
+            return errors_.add(
+                top(), "the table has no row for " + spelt(found, static_cast<std::size_t>(gap - force.begin())),
+                "every combination of the values must be there");
         }
         return found;
     }

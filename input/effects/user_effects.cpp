@@ -95,8 +95,7 @@ std::optional<solver::SignalHistory> read_signal_history(TomlTable& table, std::
     const std::optional<Formula> formula =
         find_column(in.signals.columns, text) != nullptr ? Formula::of_signal(text) : Formula::read(text, key, wrong);
     if (!formula) {
-        table.errors().add(piece(table.place(key), text, wrong), wrong.error);
-        return std::nullopt;
+        return table.errors().add(piece(table.place(key), text, wrong), wrong.error);
     }
     bool known = true;
     for (const std::string& signal : formula->signals()) {
@@ -109,8 +108,7 @@ std::optional<solver::SignalHistory> read_signal_history(TomlTable& table, std::
     FormulaSamples samples = signal_history_of(*formula, problem.input_signals, in.signals.columns, settings);
     if (std::optional<ErrorText> error = formula_error(samples, settings)) {
         error->what = fmt::format("{} {}", key, error->what);
-        table.errors().add(table.place(key), std::move(*error));
-        return std::nullopt;
+        return table.errors().add(table.place(key), std::move(*error));
     }
     if (samples.undefined > 0.0) {
         table.errors().warn(table.place(key),

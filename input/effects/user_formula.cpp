@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 #include <muParser.h>
@@ -47,12 +48,10 @@ double decided(double result, double margin) {
     return result;
 }
 
-double less(double a, double b) { return decided(a < b ? 1.0 : 0.0, a - b); }
-double less_or_equal(double a, double b) { return decided(a <= b ? 1.0 : 0.0, a - b); }
-double greater(double a, double b) { return decided(a > b ? 1.0 : 0.0, a - b); }
-double greater_or_equal(double a, double b) { return decided(a >= b ? 1.0 : 0.0, a - b); }
-double equal(double a, double b) { return decided(a == b ? 1.0 : 0.0, a - b); }
-double unequal(double a, double b) { return decided(a != b ? 1.0 : 0.0, a - b); }
+template <typename Compare>
+double compared(double a, double b) {
+    return decided(Compare()(a, b) ? 1.0 : 0.0, a - b);
+}
 double both(double a, double b) { return decided(a != 0.0 && b != 0.0 ? 1.0 : 0.0, 0.0); }
 double either(double a, double b) { return decided(a != 0.0 || b != 0.0 ? 1.0 : 0.0, 0.0); }
 
@@ -67,13 +66,10 @@ double magnitude(double a) {
 /// Upwards from the half, as the library does it; std::rint goes to the even number.
 double nearest_integer(double a) { return decided(std::floor(a + 0.5), a - std::floor(a) - 0.5); }
 
-double smallest(const double* a, int count) {
-    const double* found = std::min_element(a, a + count);
-    decided(static_cast<double>(found - a), count == 2 ? a[0] - a[1] : 0.0);
-    return *found;
-}
-double largest(const double* a, int count) {
-    const double* found = std::max_element(a, a + count);
+/// The smallest of several with std::less, the largest with std::greater.
+template <typename Compare>
+double first_by(const double* a, int count) {
+    const double* found = std::min_element(a, a + count, Compare());
     decided(static_cast<double>(found - a), count == 2 ? a[0] - a[1] : 0.0);
     return *found;
 }
@@ -87,14 +83,14 @@ struct RecordedOperator {
 
 // The longer ones first, as they are looked for.
 constexpr std::array<RecordedOperator, 8> recorded_operators{{
-    {"<=", "$le$", less_or_equal, mu::prCMP},
-    {">=", "$ge$", greater_or_equal, mu::prCMP},
-    {"==", "$eq$", equal, mu::prCMP},
-    {"!=", "$ne$", unequal, mu::prCMP},
+    {"<=", "$le$", compared<std::less_equal<>>, mu::prCMP},
+    {">=", "$ge$", compared<std::greater_equal<>>, mu::prCMP},
+    {"==", "$eq$", compared<std::equal_to<>>, mu::prCMP},
+    {"!=", "$ne$", compared<std::not_equal_to<>>, mu::prCMP},
     {"&&", "$and$", both, mu::prLAND},
     {"||", "$or$", either, mu::prLOR},
-    {"<", "$lt$", less, mu::prCMP},
-    {">", "$gt$", greater, mu::prCMP},
+    {"<", "$lt$", compared<std::less<>>, mu::prCMP},
+    {">", "$gt$", compared<std::greater<>>, mu::prCMP},
 }};
 
 std::string with_recorded_operators(std::string_view text) {
@@ -121,8 +117,8 @@ void prepare_recording(mu::Parser& parser, const std::string& text) {
     parser.DefineFun("abs", magnitude);
     parser.DefineFun("sign", sign_of);
     parser.DefineFun("rint", nearest_integer);
-    parser.DefineFun("min", smallest);
-    parser.DefineFun("max", largest);
+    parser.DefineFun("min", first_by<std::less<>>);
+    parser.DefineFun("max", first_by<std::greater<>>);
     parser.EnableOptimizer(false);  // which would evaluate what is constant once, and record it then
     // Where an operator may stand, the library compares as many characters as its longest name has, also beyond the end of
     // the text: blanks stand there.

@@ -109,8 +109,8 @@ bool is_iracing_ibt(std::string_view first_bytes) {
 std::optional<LogTable> read_iracing_ibt(const std::string& bytes, const std::filesystem::path& /*path*/,
                                          InputErrors& errors) {
     const auto refuse = [&](const std::string& what) {
-        errors.add({.file = 0}, what, "the file is damaged or incomplete: copy it from the simulator's folder again");
-        return std::nullopt;
+        return errors.add({.file = 0}, what,
+                          "the file is damaged or incomplete: copy it from the simulator's folder again");
     };
     if (bytes.size() < ibt_head_size) {
         return refuse(

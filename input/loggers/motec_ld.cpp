@@ -71,24 +71,22 @@ public:
         std::uint32_t at = in_.unsigned32(8);
         while (at != 0) {
             if (!seen.insert(at).second) {
-                errors_.add(place_,
-                            fmt::format("the list of channels runs in a circle: after channel {} it comes back to one "
-                                        "that was there before",
-                                        seen.size()),
-                            "the file is damaged: read it from the logger again");
-                return std::nullopt;
+                return errors_.add(
+                    place_,
+                    fmt::format("the list of channels runs in a circle: after channel {} it comes back to one "
+                                "that was there before",
+                                seen.size()),
+                    "the file is damaged: read it from the logger again");
             }
             if (seen.size() > most_channels) {
-                errors_.add(place_, fmt::format("the file has more than {} channels", most_channels),
-                            "the file is damaged: read it from the logger again");
-                return std::nullopt;
+                return errors_.add(place_, fmt::format("the file has more than {} channels", most_channels),
+                                   "the file is damaged: read it from the logger again");
             }
             if (at > in_.size() || in_.size() - at < record_size) {
-                errors_.add(place_,
-                            fmt::format("the file ends within the record of channel {}: it has {} bytes", seen.size(),
-                                        in_.size()),
-                            "the file is incomplete: copy it from the logger again");
-                return std::nullopt;
+                return errors_.add(place_,
+                                   fmt::format("the file ends within the record of channel {}: it has {} bytes",
+                                               seen.size(), in_.size()),
+                                   "the file is incomplete: copy it from the logger again");
             }
             at = take_record(at, seen.size(), found);
         }
@@ -231,10 +229,10 @@ bool is_motec_ld(std::string_view first_bytes) { return first_bytes.starts_with(
 std::optional<LogTable> read_motec_ld(const std::string& bytes, const std::filesystem::path& path,
                                       InputErrors& errors) {
     if (bytes.size() < head_size) {
-        errors.add({.file = 0},
-                   fmt::format("the file ends within the head of a MoTeC .ld file: it has {} bytes", bytes.size()),
-                   "the file is incomplete: copy it from the logger again");
-        return std::nullopt;
+        return errors.add(
+            {.file = 0},
+            fmt::format("the file ends within the head of a MoTeC .ld file: it has {} bytes", bytes.size()),
+            "the file is incomplete: copy it from the logger again");
     }
     const BinaryNumbers in(bytes);
     LogDescription description{.format = "MoTeC .ld"};

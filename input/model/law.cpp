@@ -50,8 +50,8 @@ std::optional<Curve> read_points(TomlTable& law, const QuantitySpec& value) {
     const TomlValue* points = law.value("through");
     constexpr std::string_view remedy = "write through = [[\"20 degC\", \"...\"], [\"90 degC\", \"...\"]]";
     if (points->kind != TomlValue::Kind::array || points->items.size() < 2 || points->items.size() > 3) {
-        law.add_error("through", "a law goes through two points (a line) or three (a parabola)", std::string(remedy));
-        return std::nullopt;
+        return law.add_error("through", "a law goes through two points (a line) or three (a parabola)",
+                             std::string(remedy));
     }
     std::vector<double> x;
     std::vector<double> y;
@@ -62,22 +62,17 @@ std::optional<Curve> read_points(TomlTable& law, const QuantitySpec& value) {
                              std::string(remedy));
             continue;
         }
-        const std::array parsed{parse_quantity(point.items[0].text, quantity_specs::temperature, "temperature"),
-                                parse_quantity(point.items[1].text, value, "value")};
-        for (std::size_t i = 0; i < 2; ++i) {
-            if (parsed[i].error) {
-                law.errors().add(point.items[i].place, *parsed[i].error);
-            }
+        const auto read = [&](const TomlValue& item, const QuantitySpec& spec, std::string_view name) {
+            return read_quantity({item.text, item.place}, spec, name, law.errors());
+        };
+        const std::optional<double> at = read(point.items[0], quantity_specs::temperature, "temperature");
+        const std::optional<double> of = read(point.items[1], value, "value");
+        if (at && std::ranges::find(x, *at) != x.end()) {
+            return law.errors().add(point.items[0].place, "two points have the same temperature", "move or remove one");
         }
-        for (const double known : x) {
-            if (!parsed[0].error && known == parsed[0].value) {
-                law.errors().add(point.items[0].place, "two points have the same temperature", "move or remove one");
-                return std::nullopt;
-            }
-        }
-        if (!parsed[0].error && !parsed[1].error) {
-            x.push_back(parsed[0].value);
-            y.push_back(parsed[1].value);
+        if (at && of) {
+            x.push_back(*at);
+            y.push_back(*of);
         }
     }
     return x.size() == points->items.size() ? std::optional(through_points(x, y)) : std::nullopt;
@@ -85,30 +80,12 @@ std::optional<Curve> read_points(TomlTable& law, const QuantitySpec& value) {
 
 /// The key `range` of a law: two temperatures, the lower one first; beyond them the law is held.
 std::optional<Curve> read_range(TomlTable& law, std::optional<Curve> curve) {
-    const TomlValue* ends = law.value("range", Need::optional);
-    if (ends == nullptr) {
+    const auto ends = law.range("range", quantity_specs::temperature);
+    if (ends && (*ends)[0] == (*ends)[1]) {
+        law.add_error("range", "the range ends where it begins");
         return curve;
     }
-    constexpr std::string_view remedy = "write range = [\"20 degC\", \"120 degC\"]";
-    if (ends->kind != TomlValue::Kind::array || ends->items.size() != 2 ||
-        std::ranges::any_of(ends->items, [](const TomlValue& end) { return end.kind != TomlValue::Kind::text; })) {
-        law.add_error("range", "a range has two temperatures, each with its unit", std::string(remedy));
-        return curve;
-    }
-    std::array<double, 2> kelvin{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const ParsedQuantity parsed = parse_quantity(ends->items[i].text, quantity_specs::temperature, "range");
-        if (parsed.error) {
-            law.errors().add(ends->items[i].place, *parsed.error);
-            return curve;
-        }
-        kelvin[i] = parsed.value;
-    }
-    if (kelvin[0] >= kelvin[1]) {
-        law.add_error("range", "the range ends before it begins", std::string(remedy));
-        return curve;
-    }
-    return curve ? std::optional(curve->within(kelvin[0], kelvin[1])) : curve;
+    return curve && ends ? std::optional(curve->within((*ends)[0], (*ends)[1])) : curve;
 }
 
 std::optional<Curve> read_table(TomlTable& table, const QuantitySpec& variable, const QuantitySpec& value) {
@@ -117,8 +94,7 @@ std::optional<Curve> read_table(TomlTable& table, const QuantitySpec& variable, 
         return std::nullopt;
     }
     if (columns.size() != 2) {
-        table.add_error("columns", fmt::format("a law has two columns, here are {}", columns.size()));
-        return std::nullopt;
+        return table.add_error("columns", fmt::format("a law has two columns, here are {}", columns.size()));
     }
     const std::vector<double> x = read_numbers(columns[0], variable, table.errors());
     const std::vector<double> y = read_numbers(columns[1], value, table.errors());
@@ -127,9 +103,9 @@ std::optional<Curve> read_table(TomlTable& table, const QuantitySpec& variable, 
     }
     for (std::size_t i = 1; i < x.size(); ++i) {
         if (x[i] <= x[i - 1]) {
-            table.errors().add(columns[0].cells[i]->place,
-                               fmt::format("{} must ascend from row to row", columns[0].heading.name), "sort the rows");
-            return std::nullopt;
+            return table.errors().add(columns[0].cells[i]->place,
+                                      fmt::format("{} must ascend from row to row", columns[0].heading.name),
+                                      "sort the rows");
         }
     }
     return Curve::table(x, y);

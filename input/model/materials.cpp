@@ -9,7 +9,7 @@
 #include "input/model/law.hpp"
 #include "input/model/materials.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 
@@ -18,14 +18,6 @@ namespace {
 using physics::Curve;
 
 std::size_t index(mesh::Axis axis) { return static_cast<std::size_t>(axis); }
-
-std::vector<std::string> names_of_materials(const std::vector<Stock>& all) {
-    std::vector<std::string> names;
-    for (const Stock& stock : all) {
-        names.push_back(stock.material.name);
-    }
-    return names;
-}
 
 Stock* find(std::vector<Stock>& all, std::string_view name) {
     const auto found = std::ranges::find_if(all, [&](const Stock& stock) { return stock.material.name == name; });
@@ -39,11 +31,13 @@ void mix_with_rubber(Stock& stock, std::vector<Stock>& all, InputErrors& errors)
     if (name == nullptr || name->kind != TomlValue::Kind::text) {
         return;
     }
-    const Stock* rubber = find(all, name->text);
-    if (rubber == nullptr) {
-        errors.add(name->place, fmt::format("there is no material \"{}\"", name->text),
-                   suggest(name->text, names_of_materials(all), "materials"));
-    } else if (rubber->table->find("cord_rubber") != nullptr) {
+    const auto found =
+        find_name({name->text, name->place}, names_of_materials(all), "there is no material", "materials", errors);
+    if (!found) {
+        return;
+    }
+    const Stock* rubber = &all[*found];
+    if (rubber->table->find("cord_rubber") != nullptr) {
         errors.add(name->place, fmt::format("\"{}\" is itself of cords and rubber", name->text),
                    "name the rubber between the cords");
     } else if (stock.ply) {
@@ -52,6 +46,10 @@ void mix_with_rubber(Stock& stock, std::vector<Stock>& all, InputErrors& errors)
 }
 
 }  // namespace
+
+std::vector<std::string> names_of_materials(const std::vector<Stock>& all) {
+    return names_of(all, [](const Stock& stock) { return stock.material.name; });
+}
 
 std::vector<Stock> read_materials(TomlTable& root) {
     std::vector<Stock> all;
@@ -109,8 +107,8 @@ const Stock* read_material(TomlTable& table, std::string_view key, std::vector<S
         }
         return stock;
     }
-    table.add_error(key, fmt::format("there is no material \"{}\"", *name),
-                    suggest(*name, names_of_materials(all), "materials"));
+    static_cast<void>(find_name({*name, table.place(key)}, names_of_materials(all), "there is no material", "materials",
+                                table.errors()));
     return nullptr;
 }
 

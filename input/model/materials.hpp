@@ -21,6 +21,7 @@ struct Stock {
 };
 
 [[nodiscard]] std::vector<Stock> read_materials(TomlTable& root);
+[[nodiscard]] std::vector<std::string> names_of_materials(const std::vector<Stock>& all);
 
 /// The material that a key names, which is used then; null after an error.
 [[nodiscard]] const Stock* read_material(TomlTable& table, std::string_view key, std::vector<Stock>& stock);

@@ -11,37 +11,11 @@
 #include "input/model/channel_value.hpp"
 #include "input/model/sensors.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 
 namespace {
-
-/// A range's two ends, the lower one first.
-std::optional<std::array<double, 2>> read_range(TomlTable& table, const QuantitySpec& spec) {
-    const std::vector<LocatedString> ends = table.texts("range");
-    const std::string_view values = spec.unit == "K" ? "temperatures" : "values";
-    if (ends.size() != 2) {
-        const std::string example = spec.unit == "K" ? "[\"40 degC\", \"50 degC\"]" : "[\"...\", \"...\"]";
-        table.add_error("range", fmt::format("a range has two {}", values), "write range = " + example);
-        return std::nullopt;
-    }
-    std::array<double, 2> range{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const ParsedQuantity parsed = parse_quantity(ends[i].text, spec, "range");
-        if (parsed.error) {
-            table.errors().add(ends[i].place, *parsed.error);
-            return std::nullopt;
-        }
-        range[i] = parsed.value;
-    }
-    if (range[0] > range[1]) {
-        table.add_error("range", "the range begins with its upper end", fmt::format("swap the two {}", values));
-        return std::nullopt;
-    }
-    return range;
-}
 
 /// Standard uncertainty: what the source says, and the width of a range as that of a flat distribution.
 std::optional<double> combined(std::optional<double> stated, double width) {
@@ -58,7 +32,7 @@ void read_value(TomlTable& table, solver::Quantity reads, solver::Measured& meas
         if (table.has("value")) {
             table.add_error("value", "both value and range are given", "keep one of them");
         }
-        const auto range = read_range(table, spec).value_or(std::array{0.0, 0.0});
+        const auto range = table.range("range", spec).value_or(std::array{0.0, 0.0});
         measured.low = range[0];
         measured.high = range[1];
     } else {
@@ -76,13 +50,12 @@ std::vector<solver::Measured> read_measured(TomlTable& root, const solver::Probl
     root.each("measured", [&](TomlTable& table) {
         solver::Measured measured;
         measured.channel = table.text("channel", Need::required).value_or("");
-        const auto channel = std::find(channels.begin(), channels.end(), measured.channel);
-        solver::Quantity reads = solver::Quantity::temperature;
-        if (channel != channels.end()) {
-            reads = problem.channels[static_cast<std::size_t>(channel - channels.begin())].quantity;
-        } else if (table.has("channel")) {
-            table.add_error("channel", fmt::format("there is no sensor \"{}\"", measured.channel),
-                            suggest(measured.channel, channels, "sensors"));
+        const bool is_named = table.has("channel");
+        const auto channel = is_named ? find_name({measured.channel, table.place("channel")}, channels,
+                                                  "there is no sensor", "sensors", table.errors())
+                                      : std::nullopt;
+        const solver::Quantity reads = channel ? problem.channels[*channel].quantity : solver::Quantity::temperature;
+        if (is_named && !channel) {
             table.declare_keys({"value", "range", "uncertainty"});  // in the unit of nobody knows what
         }
         measured.source = table.text("source").value_or("");
@@ -91,7 +64,7 @@ std::vector<solver::Measured> read_measured(TomlTable& root, const solver::Probl
             table.add_error("time", fmt::format("the run goes from {:.6g} s to {:.6g} s", from, end),
                             "choose a time within the run");
         }
-        if (channel != channels.end() || !table.has("channel")) {
+        if (channel || !is_named) {
             read_value(table, reads, measured);
         }
         all.push_back(std::move(measured));

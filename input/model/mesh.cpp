@@ -11,7 +11,6 @@
 #include "input/model/law.hpp"
 #include "input/model/mesh.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
@@ -97,19 +96,18 @@ bool read_layers(TomlTable& mesh, const MeshSource& from, MeshTable& into) {
     }
     if (below) {
         const std::vector<std::string> names = names_of(layers.stack);
-        const auto found = std::find(names.begin(), names.end(), *below);
-        if (found == names.end()) {
-            mesh.add_error("link_below", fmt::format("there is no layer \"{}\"", *below),
-                           suggest(*below, names, "layers"));
+        const auto found =
+            find_name({*below, mesh.place("link_below")}, names, "there is no layer", "layers", mesh.errors());
+        if (!found) {
             return false;
         }
-        if (found + 1 == names.end()) {
+        if (*found + 1 == names.size()) {
             mesh.add_error("link_below",
                            fmt::format("\"{}\" is the innermost layer: nothing lies below the link", *below),
                            "name a layer further out");
             return false;
         }
-        layers.link_below = static_cast<int>(found - names.begin());
+        layers.link_below = static_cast<int>(*found);
     }
     if (layers.stack.empty() || (below && !law)) {
         return false;

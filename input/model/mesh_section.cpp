@@ -11,7 +11,6 @@
 
 #include "input/model/mesh.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "mesh/ring.hpp"
 #include "physics/contact/travelling.hpp"
 
@@ -42,10 +41,7 @@ bool fill_stacks(TomlTable& mesh, const std::vector<std::vector<LocatedString>>&
     const std::vector<std::string> known{"crown", "shoulders", "sidewalls"};
     for (std::size_t layer = 0; layer < zones.size(); ++layer) {
         for (const LocatedString& word : zones[layer]) {
-            if (std::find(known.begin(), known.end(), word.text) == known.end()) {
-                mesh.errors().add(word.place, fmt::format("there is no zone \"{}\"", word.text),
-                                  suggest(word.text, known, "zones"));
-            }
+            static_cast<void>(find_name(word, known, "there is no zone", "zones", mesh.errors()));
         }
         for (MeridianStretch& stretch : stretches) {
             const auto named = [&](const LocatedString& word) { return word.text == stretch.word; };

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 #include "mesh/column_probe.hpp"
 #include "mesh/probe.hpp"
@@ -79,12 +78,9 @@ std::optional<int> read_part(TomlTable& sensor, std::string_view key, std::strin
     if (!name) {
         return std::nullopt;
     }
-    const auto found = std::find(known.begin(), known.end(), *name);
-    if (found == known.end()) {
-        sensor.add_error(key, fmt::format("the mesh has no {} \"{}\"", key, *name), suggest(*name, known, plural));
-        return std::nullopt;
-    }
-    return static_cast<int>(found - known.begin());
+    const auto found =
+        find_name({*name, sensor.place(key)}, known, fmt::format("the mesh has no {}", key), plural, sensor.errors());
+    return found ? std::optional(static_cast<int>(*found)) : std::nullopt;
 }
 
 solver::Channel channel(std::string meaning, mesh::Functional where) {
@@ -118,21 +114,18 @@ Where read_section_point(TomlTable& sensor, const mesh::Mesh& mesh) {
         sensor.add_error("along", "both along and zones are given", "keep one of them");
     }
     for (const LocatedString& word : zones) {
-        if (const int zone = mesh.find_zone(word.text); zone >= 0) {
-            places.push_back(middle_of(mesh, zone));
-            where += fmt::format("{}{}", where.empty() ? ", middle of the " : " and of the ", word.text);
-        } else {
-            sensor.errors().add(word.place, fmt::format("the mesh has no zone \"{}\"", word.text),
-                                suggest(word.text, mesh.zones, "zones"));
+        const auto zone = find_name(word, mesh.zones, "the mesh has no zone", "zones", sensor.errors());
+        if (!zone) {
             return std::nullopt;
         }
+        places.push_back(middle_of(mesh, static_cast<int>(*zone)));
+        where += fmt::format("{}{}", where.empty() ? ", middle of the " : " and of the ", word.text);
     }
     mesh::Functional mean;
     for (const double s : places) {
         const mesh::Point point{s, 0.0, depth};
         if (!mesh::contains(mesh, point)) {
-            sensor.errors().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
-            return std::nullopt;
+            return sensor.errors().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
         }
         const mesh::Functional one = mesh::at_point(mesh, point);
         for (std::size_t i = 0; i < one.nodes.size(); ++i) {
@@ -159,22 +152,21 @@ std::optional<Reach> read_reach(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::optional<double> from = sensor.quantity("from", Need::required);
     const std::optional<double> to = sensor.quantity("to", Need::required);
     if (plan_of(mesh) != Plan::section) {
-        sensor.add_error("kind", "there are strips only on a section", "take kind = \"patch\"");
-        return std::nullopt;
+        return sensor.add_error("kind", "there are strips only on a section", "take kind = \"patch\"");
     }
     if (!from || !to) {
         return std::nullopt;
     }
     if (*from >= *to) {
-        sensor.add_error("to", "the strip ends where it begins or before",
-                         "arc lengths run from outboard, negative, to inboard: swap from and to or widen the strip");
-        return std::nullopt;
+        return sensor.add_error(
+            "to", "the strip ends where it begins or before",
+            "arc lengths run from outboard, negative, to inboard: swap from and to or widen the strip");
     }
     const Reach whole{.from = mesh.columns.front().from, .to = mesh.columns.back().to};
     const double slack = 1e-9 * (whole.to - whole.from);
     if (*from < whole.from - slack || *to > whole.to + slack) {
-        sensor.add_error(*from < whole.from - slack ? "from" : "to", "the strip reaches beyond the mesh", extent(mesh));
-        return std::nullopt;
+        return sensor.add_error(*from < whole.from - slack ? "from" : "to", "the strip reaches beyond the mesh",
+                                extent(mesh));
     }
     return Reach{.from = std::max(*from, whole.from), .to = std::min(*to, whole.to)};
 }
@@ -208,8 +200,7 @@ Where read_point(TomlTable& sensor, const mesh::Mesh& mesh) {
         across = fmt::format(", x = {}, y = {}", millimetres(point[0]), millimetres(point[1]));
     }
     if (!mesh::contains(mesh, point)) {
-        sensor.errors().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
-        return std::nullopt;
+        return sensor.errors().add(sensor.place(), "the sensor lies outside of the mesh", extent(mesh));
     }
     solver::Channel found = channel(level(point[2], mesh.grid->edge[2].back()) + across, mesh::at_point(mesh, point));
     found.point = point;
@@ -221,23 +212,20 @@ Where read_spot(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::optional<int> patch = read_part(sensor, "patch", "patches", names_of(mesh.patches));
     const Plan plan = plan_of(mesh);
     if (plan == Plan::lumps || plan == Plan::strip || plan == Plan::section) {
-        sensor.add_error("kind", "there are spots only on a block and on a disc", "take kind = \"patch\"");
-        return std::nullopt;
+        return sensor.add_error("kind", "there are spots only on a block and on a disc", "take kind = \"patch\"");
     }
     if (!radius || !patch) {
         return std::nullopt;
     }
     const std::string& name = mesh.patches[static_cast<std::size_t>(*patch)].name;
     if (name != "top" && name != "bottom") {
-        sensor.add_error("patch", fmt::format("a spot lies on top or bottom, not on {}", name),
-                         "take kind = \"patch\"");
-        return std::nullopt;
+        return sensor.add_error("patch", fmt::format("a spot lies on top or bottom, not on {}", name),
+                                "take kind = \"patch\"");
     }
     const mesh::Grid& grid = *mesh.grid;
     const double room = plan == Plan::disc ? grid.edge[0].back() : std::min(grid.edge[0].back(), grid.edge[1].back());
     if (*radius > room * (1.0 + 1e-9)) {
-        sensor.add_error("radius", "the spot is larger than the mesh", extent(mesh));
-        return std::nullopt;
+        return sensor.add_error("radius", "the spot is larger than the mesh", extent(mesh));
     }
     return channel(fmt::format("{}, mean over a disc of {} radius", name, millimetres(*radius)),
                    mesh::over_disc(mesh, *patch, *radius));
@@ -264,8 +252,7 @@ Where read_layer(TomlTable& sensor, const mesh::Mesh& mesh) {
     }
     mesh::Functional where = mesh::over_cells(mesh, *layer, *zone);
     if (where.nodes.empty()) {
-        sensor.add_error("zone", "the layer does not reach into this zone", "name another zone or layer");
-        return std::nullopt;
+        return sensor.add_error("zone", "the layer does not reach into this zone", "name another zone or layer");
     }
     return channel(std::move(meaning), std::move(where));
 }
@@ -299,8 +286,8 @@ Where read_node(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::vector<std::string> names = names_of(mesh.lumped_nodes);
     sensor.declare_keys({"node"});
     if (names.empty() && sensor.has("node")) {
-        sensor.add_error("node", "no active effect brings a node of its own", "switch inner_gas or rim_conduction on");
-        return std::nullopt;
+        return sensor.add_error("node", "no active effect brings a node of its own",
+                                "switch inner_gas or rim_conduction on");
     }
     const std::optional<int> found = read_part(sensor, "node", "nodes", names);
     if (!found) {

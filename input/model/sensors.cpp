@@ -13,7 +13,6 @@
 #include "input/model/probes.hpp"
 #include "input/model/sensors.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 #include "mesh/ring.hpp"
 
@@ -56,9 +55,8 @@ Where read_passage(TomlTable& sensor, solver::Channel channel, const mesh::Mesh&
     const mesh::Patch& patch = mesh.patches[static_cast<std::size_t>(mesh.find_patch(*sensor.text("patch")))];
     for (const mesh::PatchFace& face : patch.faces) {
         if (face.node == face.cell) {
-            sensor.add_error("kind", "a lump has no surface of its own through which heat could pass",
-                             "take a mesh of cells");
-            return std::nullopt;
+            return sensor.add_error("kind", "a lump has no surface of its own through which heat could pass",
+                                    "take a mesh of cells");
         }
         channel.where.nodes.push_back(face.node);
     }
@@ -111,23 +109,20 @@ Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quanti
         std::vector<solver::Channel> channels;
         std::ranges::copy_if(in.channels, std::back_inserter(channels),
                              [](const auto& c) { return c.quantity == solver::Quantity::temperature; });
-        const auto found = std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == *of; });
-        if (found == channels.end()) {
-            sensor.add_error("temperature_of",
-                             fmt::format("no sensor of a temperature above this one is called \"{}\"", *of),
-                             suggest(*of, names_of(channels), "sensors"));
+        const auto found = find_name({*of, sensor.place("temperature_of")}, names_of(channels),
+                                     "no sensor of a temperature above this one is called", "sensors", sensor.errors());
+        if (!found) {
             return std::nullopt;
         }
-        channel.where = found->where;
+        channel.where = channels[*found].where;
         channel.meaning += fmt::format(" at {}", *of);
         return channel;
     }
     const int region = mesh.find_region(quantity.region);
     if (region < 0) {
-        sensor.add_error(
+        return sensor.add_error(
             "kind", fmt::format("{} follows the {}, which this case does not have", quantity.kind, quantity.region),
             quantity.region == "gas" ? "switch it on: [effects.inner_gas]" : "name a sensor: temperature_of = \"...\"");
-        return std::nullopt;
     }
     channel.where = mesh.regions[static_cast<std::size_t>(region)].mean;
     channel.meaning += fmt::format(" at the temperature of the {}", quantity.region);

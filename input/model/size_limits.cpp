@@ -31,32 +31,28 @@ constexpr double bytes_per_number = 24.0;
 /// Temperatures of 300 K are 6e-14 K apart in double precision, and an error is a difference of some of them.
 constexpr double finest_tolerance = 1e-12;
 
-double parse_bytes(std::string_view text, std::string& problem) {
-    text = trim(text);
+/// Nothing for what is no amount of memory above 0.
+std::optional<double> parse_bytes(std::string_view text) {
     double number = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const std::string_view unit = trim(text.substr(static_cast<std::size_t>(end - text.data())));
     constexpr std::array<std::pair<std::string_view, double>, 5> units{
         {{"B", 1.0}, {"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}, {"TB", 1e12}}};
     const auto known = std::ranges::find(units, unit, &std::pair<std::string_view, double>::first);
-    if (error != std::errc() || known == units.end() || !(number > 0.0) || !std::isfinite(number)) {
-        problem = fmt::format("\"{}\" is no amount of memory above 0", text);
-        return 0.0;
-    }
-    return number * known->second;
+    const bool is_sound = error == std::errc() && known != units.end() && number > 0.0 && std::isfinite(number);
+    return is_sound ? std::optional(number * known->second) : std::nullopt;
 }
 
 void read_bytes(TomlTable& table, std::string_view key, double& into) {
     if (const std::optional<std::string> text = table.text(key)) {
-        std::string problem;
-        const double bytes = parse_bytes(*text, problem);
-        if (!problem.empty()) {
+        const std::string_view written = trim(*text);
+        const std::optional<double> bytes = parse_bytes(written);
+        if (!bytes) {
             table.add_error(
-                key, fmt::format("{}: {}", key, problem),
+                key, fmt::format("{}: \"{}\" is no amount of memory above 0", key, written),
                 fmt::format("write {} = \"{}\"; the units are B, kB, MB, GB and TB", key, spell_bytes(into)));
-            return;
         }
-        into = bytes;
+        into = bytes.value_or(into);
     }
 }
 

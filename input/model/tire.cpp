@@ -71,8 +71,7 @@ void read_modulus(TomlTable& tire, solver::Handling& into) {
 void read_property_file(TomlTable& tire, solver::Handling& into) {
     if (const std::optional<std::string> path = tire.text("property_file")) {
         const SourceLocation mentioned = tire.place("property_file");
-        const std::filesystem::path beside = std::filesystem::path(tire.errors().file(mentioned.file)).parent_path();
-        if (const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, tire.errors())) {
+        if (const auto file = read_tir_file(tire.errors().beside(mentioned, *path), mentioned, tire.errors())) {
             into.magic_formula = file->law;
         }
     }

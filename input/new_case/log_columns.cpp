@@ -22,6 +22,7 @@
 #include "input/new_case/rig_columns.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/units.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/vehicle/dead_channels.hpp"
 #include "input/vehicle/vehicle_log.hpp"
 #include "physics/vehicle/vehicle.hpp"
@@ -181,10 +182,8 @@ std::set<std::size_t> give_units(const std::vector<GivenUnit>& units, DataFile& 
             }
         }
         if (!any) {
-            std::vector<std::string> names;
-            for (const ColumnHead& head : file.heads()) {
-                names.push_back(head.heading.name);
-            }
+            const std::vector<std::string> names =
+                names_of(file.heads(), [](const ColumnHead& head) { return head.heading.name; });
             errors.add({.file = file.number()},
                        fmt::format("no column is called {}, which is given a unit", one.column),
                        suggest(one.column, names, "columns"));
@@ -315,8 +314,8 @@ std::optional<Log> read_log_without(const std::map<int, std::string>& dead, cons
         return std::nullopt;
     }
     if (log.time.size() < 2) {
-        errors.add({.file = file->number()}, "the file has a single sample: a run goes from one time to another");
-        return std::nullopt;
+        return errors.add({.file = file->number()},
+                          "the file has a single sample: a run goes from one time to another");
     }
     for (LogColumn& column : log.columns) {
         if (given.contains(static_cast<std::size_t>(column.column))) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "input/effects/effects.hpp"
 #include "input/effects/user_effects.hpp"
 #include "input/parameters/effect_names.hpp"
 #include "input/parameters/effect_parameters.hpp"
@@ -21,14 +22,6 @@ using physics::ActiveEffect;
 using physics::Effect;
 using physics::Scope;
 
-std::vector<std::string> keys_of(const Effect& effect) {
-    std::vector<std::string> keys;
-    for (const physics::ParameterSpec& parameter : effect.parameters) {
-        keys.emplace_back(parameter.key);
-    }
-    return keys;
-}
-
 /// Index of the parameter that a key names, or an error.
 std::optional<std::size_t> find_number(const CaseAsRead& in, const Effect& effect, const EffectKey& number) {
     const int found = physics::find_parameter(effect, number.key);
@@ -42,7 +35,7 @@ std::optional<std::size_t> find_number(const CaseAsRead& in, const Effect& effec
                       fmt::format("`tiretherm effects {}` lists its numbers", effect.id));
     } else {
         in.errors.add(number.at, fmt::format("{} has no parameter \"{}\"", effect.id, number.key),
-                      suggest(number.key, keys_of(effect), "parameters"));
+                      suggest(number.key, names_of(effect.parameters, &physics::ParameterSpec::key), "parameters"));
     }
     return std::nullopt;
 }
@@ -140,21 +133,11 @@ bool resolve_place(const CaseAsRead& in, Scope scope, const LocatedString& place
     return true;
 }
 
-void report_unknown_effect(const CaseAsRead& in, const LocatedString& id) {
-    std::vector<std::string> known;
-    for (const Effect* effect : physics::catalogue()) {
-        if (!physics::is_user_effect(*effect)) {
-            known.emplace_back(effect->id);
-        }
-    }
-    const std::size_t of_the_catalogue = known.size();
-    for (const UserEffectKind& kind : {user_heat_source, user_heat_transfer}) {
-        std::ranges::copy(user_effect_names(in.document, kind.list), std::back_inserter(known));
-    }
-    in.errors.add(id.place, fmt::format("there is no effect \"{}\"", id.text),
-                  nearest(id.text, known).empty()
-                      ? fmt::format("`tiretherm effects` lists all {} of them", of_the_catalogue)
-                      : suggest(id.text, known, "effects"));
+std::nullopt_t report_unknown_effect(const CaseAsRead& in, const LocatedString& id) {
+    std::vector<std::string> own = user_effect_names(in.document, user_heat_source.list);
+    std::ranges::copy(user_effect_names(in.document, user_heat_transfer.list), std::back_inserter(own));
+    return in.errors.add(id.place, fmt::format("there is no effect \"{}\"", id.text),
+                         unknown_effect_remedy(id.text, std::move(own)));
 }
 
 /// An effect on layers that is switched on without naming them leaves the outermost one out: a number that is to move all of them
@@ -219,8 +202,7 @@ std::optional<FreeParameters> find_effect_parameter(const ParameterPath& path, c
     const LocatedString& id = path.keys[1];
     const Effect* effect = physics::find_effect(id.text);
     if (effect == nullptr || physics::is_user_effect(*effect)) {
-        report_unknown_effect(in, id);
-        return std::nullopt;
+        return report_unknown_effect(in, id);
     }
     if (!has_shape(path, in)) {
         return std::nullopt;
@@ -233,19 +215,19 @@ std::optional<FreeParameters> find_effect_parameter(const ParameterPath& path, c
     if (active == on.end()) {
         const TomlValue* effects = in.document.find("effects");
         const bool named = effects != nullptr && effects->find(id.text) != nullptr;
-        in.errors.add(id.place, fmt::format("{} is off: its numbers change nothing", id.text),
-                      named ? fmt::format("switch it on: remove on = false from [effects.{}]", id.text)
-                            : fmt::format("switch it on: add [effects.{}]{}", id.text, with_layers(*effect, in)));
-        return std::nullopt;
+        return in.errors.add(id.place, fmt::format("{} is off: its numbers change nothing", id.text),
+                             named
+                                 ? fmt::format("switch it on: remove on = false from [effects.{}]", id.text)
+                                 : fmt::format("switch it on: add [effects.{}]{}", id.text, with_layers(*effect, in)));
     }
     const int word = physics::find_choice(*effect, key.key);
     if (number && word >= 0 && active->choices[static_cast<std::size_t>(word)] != 0) {
         const std::string_view chosen =
             effect->choices[static_cast<std::size_t>(word)]
                 .options[static_cast<std::size_t>(active->choices[static_cast<std::size_t>(word)])];
-        in.errors.add(key.at, fmt::format("{}.{} is \"{}\" in this case, not a number", effect->id, key.key, chosen),
-                      fmt::format("give [effects.{}] a number to begin with", effect->id));
-        return std::nullopt;
+        return in.errors.add(key.at,
+                             fmt::format("{}.{} is \"{}\" in this case, not a number", effect->id, key.key, chosen),
+                             fmt::format("give [effects.{}] a number to begin with", effect->id));
     }
     return number ? free_effect_parameter(in, static_cast<std::size_t>(active - on.begin()), *number, key)
                   : std::nullopt;

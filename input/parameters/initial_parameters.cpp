@@ -46,8 +46,8 @@ std::vector<int> nodes_of(const mesh::Mesh& mesh, const std::string& word) {
 std::optional<FreeParameters> find_initial(const ParameterPath& path, const CaseAsRead& in, const Knots& /*knots*/) {
     const LocatedString& word = path.keys.back();
     if (in.problem.settings.steady) {
-        in.errors.add(word.place, "a steady state does not follow from where it starts", "remove this [[parameter]]");
-        return std::nullopt;
+        return in.errors.add(word.place, "a steady state does not follow from where it starts",
+                             "remove this [[parameter]]");
     }
     if (in.problem.mesh.n_nodes == 0) {
         return std::nullopt;
@@ -57,9 +57,8 @@ std::optional<FreeParameters> find_initial(const ParameterPath& path, const Case
     known.insert(known.end(), mesh.layers.begin(), mesh.layers.end());
     std::ranges::copy(names_of(mesh.lumped_nodes), std::back_inserter(known));
     if (path.keys.size() > 2 || std::ranges::find(known, word.text) == known.end()) {
-        in.errors.add(word.place, fmt::format("initial cannot be \"{}\"", word.text),
-                      suggest(word.text, known, "temperatures at the start"));
-        return std::nullopt;
+        return in.errors.add(word.place, fmt::format("initial cannot be \"{}\"", word.text),
+                             suggest(word.text, known, "temperatures at the start"));
     }
     solver::FreeParameter number;
     number.name = "initial " + word.text;

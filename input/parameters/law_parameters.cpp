@@ -39,25 +39,22 @@ std::optional<FreeParameters> free_values(const CaseAsRead& in, const Knots& kno
         return std::nullopt;
     }
     if (law->is_table() && knots.kelvin.size() > 1) {
-        in.errors.add(knots.place, "the law is a table, which can only be scaled",
-                      "name one temperature, or write the law through two or three points");
-        return std::nullopt;
+        return in.errors.add(knots.place, "the law is a table, which can only be scaled",
+                             "name one temperature, or write the law through two or three points");
     }
     for (std::size_t k = 0; k < knots.kelvin.size(); ++k) {
         const double T = knots.kelvin[k];
         if (const auto range = law->range(); range && (T < (*range)[0] || T > (*range)[1])) {
-            in.errors.add(knots.place,
-                          fmt::format("the case's law is held outside {:.6g} to {:.6g} degC, and {} lies there",
-                                      (*range)[0] - 273.15, (*range)[1] - 273.15, knots.written[k]),
-                          "name a temperature inside the law's range");
-            return std::nullopt;
+            return in.errors.add(knots.place,
+                                 fmt::format("the case's law is held outside {:.6g} to {:.6g} degC, and {} lies there",
+                                             (*range)[0] - 273.15, (*range)[1] - 273.15, knots.written[k]),
+                                 "name a temperature inside the law's range");
         }
         FreeParameter number = blank;
         const double now = law->value(knots.kelvin[k]);
         if (!(now > 0.0)) {
-            in.errors.add(knots.place, fmt::format("the case's law is {:.3g} at {}", now, knots.written[k]),
-                          "name a temperature where it is positive");
-            return std::nullopt;
+            return in.errors.add(knots.place, fmt::format("the case's law is {:.3g} at {}", now, knots.written[k]),
+                                 "name a temperature where it is positive");
         }
         number.name += " at " + knots.written[k];
         number.unit = spec.unit;
@@ -83,15 +80,9 @@ std::vector<int> layers_of(const CaseAsRead& in, const LocatedString& material) 
             used.push_back(name);
         }
     }
-    std::vector<std::string> known;
-    for (const Stock& stock : in.stock) {
-        known.push_back(stock.material.name);
-    }
-    const bool exists = std::ranges::find(known, material.text) != known.end();
-    if (layers.empty() && !exists) {
-        in.errors.add(material.place, fmt::format("there is no material \"{}\"", material.text),
-                      suggest(material.text, known, "materials"));
-    } else if (layers.empty() && in.problem.mesh.n_nodes > 0) {
+    if (layers.empty() &&
+        find_name(material, names_of_materials(in.stock), "there is no material", "materials", in.errors) &&
+        in.problem.mesh.n_nodes > 0) {
         in.errors.add(material.place, fmt::format("no layer is made of \"{}\"", material.text),
                       fmt::format("the layers are made of {}", listed(used)));
     }
@@ -131,8 +122,8 @@ std::optional<FreeParameters> find_material_law(const ParameterPath& path, const
     blank.name = fmt::format("{}.{}", name.text, law.text);
     blank.layers = layers_of(in, name);
     if (law.text == "conductivity" && in.problem.mesh.n_nodes > 0 && in.problem.mesh.is_lumped()) {
-        in.errors.add(law.place, "two lumps conduct only through their link", "free that: link = \"conductivity\"");
-        return std::nullopt;
+        return in.errors.add(law.place, "two lumps conduct only through their link",
+                             "free that: link = \"conductivity\"");
     }
     if (law.text.empty() || blank.layers.empty()) {
         return std::nullopt;
@@ -273,15 +264,11 @@ Knots read_knots(TomlTable& table) {
         return {};
     }
     for (const LocatedString& word : words) {
-        const ParsedQuantity parsed = parse_quantity(word.text, quantity_specs::temperature, "at");
-        if (parsed.error) {
-            table.errors().add(word.place, *parsed.error);
-            continue;
-        }
-        if (std::ranges::find(knots.kelvin, parsed.value) != knots.kelvin.end()) {
+        const auto kelvin = read_quantity(word, quantity_specs::temperature, "at", table.errors());
+        if (kelvin && std::ranges::find(knots.kelvin, *kelvin) != knots.kelvin.end()) {
             table.errors().add(word.place, "the law is free twice at this temperature", "move or remove one");
         }
-        knots.kelvin.push_back(parsed.value);
+        knots.kelvin.push_back(kelvin.value_or(0.0));
         knots.written.emplace_back(trim(word.text));
     }
     return table.errors().count() == before ? knots : Knots{};

@@ -23,19 +23,16 @@ std::optional<FreeParameters> find_user_effect_parameter(const ParameterPath& pa
     const UserEffectKind& kind = path.keys[0].text == user_heat_source.list ? user_heat_source : user_heat_transfer;
     const LocatedString& name = path.keys[1];
     const std::vector<std::string> known = user_effect_names(in.document, kind.list);
-    if (std::ranges::find(known, name.text) == known.end()) {
-        in.errors.add(name.place, fmt::format("there is no [[{}]] \"{}\"", kind.list, name.text),
-                      suggest(name.text, known, kind.list == user_heat_source.list ? "sources" : "exchanges"));
-        return std::nullopt;
-    }
-    if (!has_shape(path, in)) {
+    const std::string_view plural = kind.list == user_heat_source.list ? "sources" : "exchanges";
+    if (!find_name(name, known, fmt::format("there is no [[{}]]", kind.list), plural, in.errors) ||
+        !has_shape(path, in)) {
         return std::nullopt;
     }
     const EffectKey key = effect_key(path);
     if (key.key != kind.number) {
-        in.errors.add(key.at, fmt::format("[[{}]] {} has no number \"{}\" to fit", kind.list, name.text, key.key),
-                      fmt::format("its number is {}", kind.number));
-        return std::nullopt;
+        return in.errors.add(key.at,
+                             fmt::format("[[{}]] {} has no number \"{}\" to fit", kind.list, name.text, key.key),
+                             fmt::format("its number is {}", kind.number));
     }
     const std::size_t index = solver::find_user_effect(in.problem, name.text);
     if (index == in.problem.effects.size()) {
@@ -47,10 +44,9 @@ std::optional<FreeParameters> find_user_effect_parameter(const ParameterPath& pa
 std::optional<FreeParameters> find_camera_parameter(const ParameterPath& path, const CaseAsRead& in) {
     const LocatedString& name = path.keys[1];
     if (std::ranges::find(in.cameras, name.text, &Camera::name) == in.cameras.end()) {
-        in.errors.add(
+        return in.errors.add(
             name.place, fmt::format("there is no camera \"{}\"", name.text),
             in.cameras.empty() ? "add [[camera]] with this name" : suggest(name.text, names_of(in.cameras), "cameras"));
-        return std::nullopt;
     }
     if (!has_shape(path, in)) {
         return std::nullopt;

@@ -20,10 +20,9 @@ std::optional<FreeParameters> find_parameters(const ParameterPath& path, const C
     if (kind != parameter_kinds().end()) {
         return kind->find(path, in, knots);
     }
-    in.errors.add(path.keys.front().place, fmt::format("{} is not a number that a fit can free", path.text()),
-                  "name a number of [effects], [[source]], [[exchange]], [[camera]], [vehicle] or [initial], "
-                  "material.NAME.conductivity, material.NAME.heat_capacity or mesh.link_conductivity");
-    return std::nullopt;
+    return in.errors.add(path.keys.front().place, fmt::format("{} is not a number that a fit can free", path.text()),
+                         "name a number of [effects], [[source]], [[exchange]], [[camera]], [vehicle] or [initial], "
+                         "material.NAME.conductivity, material.NAME.heat_capacity or mesh.link_conductivity");
 }
 
 ParameterPath path_of(const solver::Problem& problem, const solver::FreeParameter& parameter) {

@@ -17,12 +17,8 @@ namespace {
 
 /// A path of one key: users write "speed" for "drive.speed".
 void refuse_short(const LocatedString& path, const TomlValue& document, InputErrors& errors) {
-    std::vector<std::string> signals;
-    for (const physics::Signal& signal : physics::signals()) {
-        signals.emplace_back(signal.name);
-    }
     const TomlValue* table = document.find(path.text);
-    const std::string near = table == nullptr ? nearest(path.text, signals) : std::string();
+    const std::string near = table == nullptr ? nearest(path.text, names_of(physics::signals())) : std::string();
     errors.add(path.place, fmt::format("\"{}\" is not the path of a value: table and key are wanted", path.text),
                near.empty() ? "write such as \"drive.speed\" or \"material.rubber.density\""
                             : fmt::format("did you mean \"drive.{}\"?", near));
@@ -34,9 +30,8 @@ std::optional<ParameterPath> ParameterPath::parse(const LocatedString& text, con
                                                   InputErrors& errors) {
     if (text.text.empty() || text.text.starts_with('.') || text.text.ends_with('.') ||
         text.text.find("..") != std::string::npos) {
-        errors.add(text.place, fmt::format("\"{}\" is not a path: a key is missing at a dot", text.text),
-                   "write such as \"drive.speed\"");
-        return std::nullopt;
+        return errors.add(text.place, fmt::format("\"{}\" is not a path: a key is missing at a dot", text.text),
+                          "write such as \"drive.speed\"");
     }
     ParameterPath path{.keys = split_path(text, document)};
     if (path.keys.size() == 1) {

@@ -51,12 +51,7 @@ void read_expected(TomlTable& table, FreeParameters& freed) {
         return;
     }
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const ParsedQuantity parsed = parse_quantity(words[i].text, freed.spec, "expected");
-        if (parsed.error) {
-            table.errors().add(words[i].place, *parsed.error);
-        } else {
-            numbers[i].prior = parsed.value;
-        }
+        numbers[i].prior = read_quantity(words[i], freed.spec, "expected", table.errors()).value_or(numbers[i].prior);
     }
 }
 

@@ -35,18 +35,15 @@ std::optional<Measure> read_measure(TomlTable& table, std::string_view key, Need
         measure.number = number->value;
         measure.unit = std::string(number->rest);
     } else if (!node->is_number()) {
-        table.add_error(key, fmt::format("{} is {}; a number with its unit is wanted", key, shown(*node)),
-                        "write such as \"80 km/h\", or 0.6 for a pure number");
-        return std::nullopt;
+        return table.add_error(key, fmt::format("{} is {}; a number with its unit is wanted", key, shown(*node)),
+                               "write such as \"80 km/h\", or 0.6 for a pure number");
     }
     if (!std::isfinite(measure.number)) {
-        table.add_error(key, fmt::format("{} is {}, not a finite number", key, shown(*node)));
-        return std::nullopt;
+        return table.add_error(key, fmt::format("{} is {}, not a finite number", key, shown(*node)));
     }
     if (!is_unit(measure.unit)) {
-        table.add_error(key, fmt::format("{} is {}: \"{}\" is not a unit", key, shown(*node), measure.unit),
-                        "write such as \"80 km/h\", or 0.6 for a pure number");
-        return std::nullopt;
+        return table.add_error(key, fmt::format("{} is {}: \"{}\" is not a unit", key, shown(*node), measure.unit),
+                               "write such as \"80 km/h\", or 0.6 for a pure number");
     }
     return measure;
 }
@@ -58,11 +55,10 @@ std::optional<double> in_unit(const Measure& measure, const std::string& unit, b
     if (const auto* found = std::get_if<Conversion>(&result)) {
         return measure.unit == unit ? measure.number : found->to_si(measure.number);
     }
-    errors.add(measure.place,
-               fmt::format("{} is {}, but the quantity is {}", name, dimension(spelt(measure.unit), scale).name,
-                           dimension(spelt(unit), scale).name),
-               unit.empty() ? "write a pure number" : fmt::format("write it in {}", unit));
-    return std::nullopt;
+    return errors.add(measure.place,
+                      fmt::format("{} is {}, but the quantity is {}", name, dimension(spelt(measure.unit), scale).name,
+                                  dimension(spelt(unit), scale).name),
+                      unit.empty() ? "write a pure number" : fmt::format("write it in {}", unit));
 }
 
 StudyValue study_value(double number, const std::string& unit, bool whole, const SourceLocation& place) {

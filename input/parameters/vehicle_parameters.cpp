@@ -9,6 +9,7 @@
 #include "input/parameters/parameter_kind.hpp"
 #include "input/schema/all_tables.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/toml/toml_text.hpp"
 #include "input/vehicle/vehicle_numbers.hpp"
 
@@ -54,18 +55,13 @@ std::optional<FreeParameters> find_vehicle_number(const ParameterPath& path, con
                                                   const Knots& /*knots*/) {
     const LocatedString& key = path.keys.back();
     if (in.document.find("vehicle") == nullptr) {
-        in.errors.add(path.keys.front().place, "the case has no [vehicle]", "remove this [[parameter]]");
-        return std::nullopt;
+        return in.errors.add(path.keys.front().place, "the case has no [vehicle]", "remove this [[parameter]]");
     }
-    std::vector<std::string> known;
-    for (const VehicleNumberSpec& number : vehicle_numbers()) {
-        known.emplace_back(number.key);
-    }
+    const std::vector<std::string> known = names_of(vehicle_numbers(), &VehicleNumberSpec::key);
     const auto found = std::ranges::find(known, key.text);
     if (path.keys.size() > 2 || found == known.end()) {
-        in.errors.add(key.place, fmt::format("[vehicle] has no number \"{}\" to fit", key.text),
-                      suggest(key.text, known, "numbers"));
-        return std::nullopt;
+        return in.errors.add(key.place, fmt::format("[vehicle] has no number \"{}\" to fit", key.text),
+                             suggest(key.text, known, "numbers"));
     }
     const auto index = static_cast<std::size_t>(found - known.begin());
     if (in.problem.input_numbers.empty()) {
@@ -74,14 +70,12 @@ std::optional<FreeParameters> find_vehicle_number(const ParameterPath& path, con
     const QuantitySpec& spec = keys_of_table("vehicle")->find(key.text)->spec;
     const double value = in.problem.input_numbers[index];
     if (std::isnan(value) || path.find(in.document) == nullptr) {
-        in.errors.add(key.place, fmt::format("[vehicle] does not give {}", key.text),
-                      fmt::format("add {} to it: there the search begins", key.text));
-        return std::nullopt;
+        return in.errors.add(key.place, fmt::format("[vehicle] does not give {}", key.text),
+                             fmt::format("add {} to it: there the search begins", key.text));
     }
     if (const std::string owner = owner_of(in.document, key.text); !owner.empty()) {
-        in.errors.add(key.place, fmt::format("run {} has a {} of its own", owner, key.text),
-                      "a fit moves the one of [vehicle]: remove it from the run");
-        return std::nullopt;
+        return in.errors.add(key.place, fmt::format("run {} has a {} of its own", owner, key.text),
+                             "a fit moves the one of [vehicle]: remove it from the run");
     }
     refuse_followers(in, key);
     solver::FreeParameter number;

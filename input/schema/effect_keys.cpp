@@ -2,6 +2,7 @@
 // Keys of [effects], [[source]] and [[exchange]]: form, unit and range, need and meaning, a line each.
 #include "input/schema/all_tables.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "physics/tire_laws/rolling_resistance.hpp"
 
 namespace tiretherm::input::schema {
 
@@ -27,11 +28,11 @@ std::vector<TableKeys> effect_tables() {
         }, true},
         {"effects.strain_energy_loss.coastdown", TableForm::table,
          "Rolling resistance by SAE J2452: F = p^alpha N^beta (a + b V + c V^2).", {
-            quantity("alpha", {.unit = "1", .low = -5.0, .high = 5.0}, "Exponent of the pressure.").required(),
-            quantity("beta", {.unit = "1", .low = -5.0, .high = 5.0}, "Exponent of the load.").required(),
-            quantity("a", {.unit = "1", .low = 0.0, .high = 1e12}, "Constant coefficient.").required(),
-            quantity("b", {.unit = "1", .low = -1e12, .high = 1e12}, "Coefficient of the speed.").required(),
-            quantity("c", {.unit = "1", .low = -1e12, .high = 1e12}, "Coefficient of the speed squared.").required(),
+            quantity("alpha", {.unit = "1", .low = -5.0, .high = 5.0}, "Exponent of the pressure.").required().into<&physics::CoastdownLaw::pressure_exponent>(),
+            quantity("beta", {.unit = "1", .low = -5.0, .high = 5.0}, "Exponent of the load.").required().into<&physics::CoastdownLaw::load_exponent>(),
+            quantity("a", {.unit = "1", .low = 0.0, .high = 1e12}, "Constant coefficient.").required().into<&physics::CoastdownLaw::constant>(),
+            quantity("b", {.unit = "1", .low = -1e12, .high = 1e12}, "Coefficient of the speed.").required().into<&physics::CoastdownLaw::linear>(),
+            quantity("c", {.unit = "1", .low = -1e12, .high = 1e12}, "Coefficient of the speed squared.").required().into<&physics::CoastdownLaw::quadratic>(),
             text("pressure_unit", "Unit of p. Default: kPa."),
             text("load_unit", "Unit of N. Default: N."),
             text("speed_unit", "Unit of V. Default: km/h."),

@@ -49,8 +49,7 @@ void Fingerprints::spell(const TomlValue& node, const InputErrors& errors, std::
             into += fmt::format("t{}:{}", node.text.size(), node.text);
             // Whichever key it stands at: a path is taken from the folder of the file where it is written.
             if (node.place.file >= 0 && node.text.size() < 1000 && !node.text.empty()) {
-                const std::filesystem::path folder = std::filesystem::path(errors.file(node.place.file)).parent_path();
-                into += of_file((folder / node.text).lexically_normal().string());
+                into += of_file(errors.beside(node.place, node.text).string());
             }
             break;
         }

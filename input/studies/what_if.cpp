@@ -53,9 +53,8 @@ SourceLocation place_at(int file, std::size_t column, std::size_t length) {
 std::optional<ChangeText> cut(const std::string& text, int file, InputErrors& errors) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || trimmed(text.substr(equals + 1)).empty()) {
-        errors.add(place_at(file, 2, text.size()), "a key and its change are wanted",
-                   "write such as \"drive.inflation_pressure=+0.1 bar\"");
-        return std::nullopt;
+        return errors.add(place_at(file, 2, text.size()), "a key and its change are wanted",
+                          "write such as \"drive.inflation_pressure=+0.1 bar\"");
     }
     return ChangeText{
         .key = {trimmed(text.substr(0, equals)), place_at(file, 1, equals + 1)},
@@ -71,10 +70,9 @@ std::optional<Step> step_of(const LocatedString& change, const std::string& sign
     const bool is_share = !sign.empty() && unit == "%";
     const bool is_number = std::isfinite(value) && (is_share || is_unit(unit));
     if (!sign.empty() && !is_number) {
-        errors.add(
+        return errors.add(
             change.place, fmt::format("\"{}\" is no number with a unit", change.text),
             "write such as \"+0.1 bar\", \"-5 K\" or \"+10 %\"; a value without a sign takes the place of the case's");
-        return std::nullopt;
     }
     std::optional<Step> step(std::in_place);
     step->text = sign + rest;
@@ -134,9 +132,8 @@ void move_input(const physics::Signal& signal, const Step& step, ChangedRuns& in
 std::optional<TomlValue> moved(const TomlValue& value, const std::string& key, const Step& step, InputErrors& errors) {
     const StudyValue known = study_value(value);
     if (!std::isfinite(known.number)) {
-        errors.add(step.measure.place, fmt::format("{} is {}, to which nothing can be added", key, shown(value)),
-                   "give a value without a sign, which takes its place");
-        return std::nullopt;
+        return errors.add(step.measure.place, fmt::format("{} is {}, to which nothing can be added", key, shown(value)),
+                          "give a value without a sign, which takes its place");
     }
     const std::string unit = unit_of(value);
     if (step.is_share) {

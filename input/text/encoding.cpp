@@ -15,20 +15,11 @@ unsigned byte_of(char c) { return static_cast<unsigned char>(c); }
 
 void append_utf8(std::string& text, std::uint32_t code) {
     const auto put = [&](std::uint32_t bits) { text += static_cast<char>(static_cast<unsigned char>(bits)); };
-    if (code < 0x80U) {
-        put(code);
-    } else if (code < 0x800U) {
-        put(0xC0U | code >> 6U);
-        put(0x80U | (code & 0x3FU));
-    } else if (code < 0x10000U) {
-        put(0xE0U | code >> 12U);
-        put(0x80U | (code >> 6U & 0x3FU));
-        put(0x80U | (code & 0x3FU));
-    } else {
-        put(0xF0U | code >> 18U);
-        put(0x80U | (code >> 12U & 0x3FU));
-        put(0x80U | (code >> 6U & 0x3FU));
-        put(0x80U | (code & 0x3FU));
+    unsigned more = code < 0x80U ? 0U : code < 0x800U ? 1U : code < 0x10000U ? 2U : 3U;  // bytes of six bits each
+    // The first byte begins with as many ones as there are bytes.
+    put(more == 0U ? code : (0xFF00U >> (more + 1U) & 0xFFU) | code >> 6U * more);
+    while (more-- > 0U) {
+        put(0x80U | (code >> 6U * more & 0x3FU));
     }
 }
 

@@ -191,7 +191,7 @@ std::vector<std::string> InputErrors::files() const {
     return all;
 }
 
-void InputErrors::add(const SourceLocation& place, ErrorText error) {
+std::nullopt_t InputErrors::add(const SourceLocation& place, ErrorText error) {
     SourceLocation where = place;
     if (where.file < 0) {  // of what nobody wrote, as a run that is the case itself: of the file that all began with
         where = {.file = files_.empty() ? add_file("input", "") : 0};
@@ -199,6 +199,7 @@ void InputErrors::add(const SourceLocation& place, ErrorText error) {
     error.what = shortened(std::move(error.what));
     error.remedy = shortened(std::move(error.remedy));
     found_.push_back({where, std::move(error)});
+    return std::nullopt;
 }
 
 void InputErrors::add_warning(const SourceLocation& place, std::string_view corner, std::string_view form,

@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -95,9 +97,10 @@ public:
     void share_tables(const InputErrors& others) { tables_ = others.tables_; }
     /// Takes over what is wrong with a file that was read by itself, as the first of `found`. @param number of it here
     void take(const InputErrors& found, int number);
-    void add(const SourceLocation& place, ErrorText error);
-    void add(const SourceLocation& place, std::string what, std::string remedy = {}) {
-        add(place, ErrorText{std::move(what), std::move(remedy)});
+    /// @returns nothing, what a reader has of a wrong value: `return errors.add(...)`
+    std::nullopt_t add(const SourceLocation& place, ErrorText error);
+    std::nullopt_t add(const SourceLocation& place, std::string what, std::string remedy = {}) {
+        return add(place, ErrorText{std::move(what), std::move(remedy)});
     }
     /// Something unusual that a run can still be made of.
     void warn(const SourceLocation& place, std::string what) { add_warning(place, {}, {}, std::move(what)); }
@@ -116,6 +119,10 @@ public:
 
     [[nodiscard]] std::size_t count() const { return found_.size(); }
     [[nodiscard]] const std::string& file(int number) const { return files_[static_cast<std::size_t>(number)].shown; }
+    /// The path that a file names, from the folder of that file on.
+    [[nodiscard]] std::filesystem::path beside(const SourceLocation& place, const std::filesystem::path& name) const {
+        return (std::filesystem::path(file(place.file)).parent_path() / name).lexically_normal();
+    }
     /// All files that were read, in that order, each once.
     [[nodiscard]] std::vector<std::string> files() const;
     /// "case.toml:12", for a sentence about another place.

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 #include "input/tire_property_file/tir_keys.hpp"
 
 namespace tiretherm::input {
@@ -51,11 +53,7 @@ void check_key(const TirLines& lines, const TirLines::Entry& entry, const tir::L
     const auto* const known = std::ranges::find(coefficients, entry.key, &Coefficient::key);
     if (known == std::end(coefficients)) {
         if (concerns_pure_slip(entry)) {
-            std::vector<std::string> keys;
-            for (const Coefficient& one : coefficients) {
-                keys.emplace_back(one.key);
-            }
-            const std::string near = nearest(entry.key, keys);
+            const std::string near = nearest(entry.key, names_of(std::span(coefficients), &Coefficient::key));
             errors.warn(entry.key_place, "{} is unknown and not used{}", entry.key,
                         near.empty() ? "" : fmt::format("; did you mean {}?", near));
         }

@@ -159,9 +159,8 @@ std::optional<double> TirLines::number(std::string_view key, InputErrors& errors
     const std::optional<Number> read = leading_number(entry->value);
     if (!read || !read->rest.empty() || !std::isfinite(read->value)) {
         const bool comma = read && read->rest.starts_with(',');
-        errors.add(entry->place, fmt::format("{} is {}; a number is wanted", key, entry->value),
-                   comma ? "write a decimal point" : "");
-        return std::nullopt;
+        return errors.add(entry->place, fmt::format("{} is {}; a number is wanted", key, entry->value),
+                          comma ? "write a decimal point" : "");
     }
     return read->value;
 }

@@ -4,6 +4,7 @@
 #include "input/toml/document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -24,12 +25,6 @@ const std::string* text_of(const TomlValue& node, std::string_view key) {
     return text != nullptr && text->kind == TomlValue::Kind::text ? &text->text : nullptr;
 }
 
-bool all_named(const TomlValue& array) {
-    return array.kind == TomlValue::Kind::array &&
-           std::all_of(array.items.begin(), array.items.end(),
-                       [](const TomlValue& item) { return text_of(item, "name") != nullptr; });
-}
-
 /// The name of a table that is in a list, by its own word or, as a run may leave it, by its file and laps.
 std::string name_of(const TomlValue& node) {
     const std::string* name = text_of(node, "name");
@@ -40,11 +35,12 @@ std::string name_of(const TomlValue& node) {
                              : std::string();
 }
 
-bool all_can_be_named(const TomlValue& array) {
-    return array.kind == TomlValue::Kind::array &&
-           std::all_of(array.items.begin(), array.items.end(),
-                       [](const TomlValue& item) { return !name_of(item).empty(); });
+/// A list of tables of each of which this holds.
+bool is_list_of(const TomlValue& array, bool (*holds)(const TomlValue& item)) {
+    return array.kind == TomlValue::Kind::array && std::ranges::all_of(array.items, holds);
 }
+bool has_name(const TomlValue& item) { return text_of(item, "name") != nullptr; }
+bool can_be_named(const TomlValue& item) { return !name_of(item).empty(); }
 
 void merge(TomlValue& into, TomlValue&& over, int depth);
 
@@ -91,7 +87,7 @@ void merge(TomlValue& into, TomlValue&& over, int depth) {
                                        [&](const Entry& known) { return known.key == entry.key; });
         if (same == into.entries.end()) {
             into.entries.push_back(std::move(entry));
-        } else if (depth == 0 && all_can_be_named(same->value) && all_named(entry.value)) {
+        } else if (depth == 0 && is_list_of(same->value, can_be_named) && is_list_of(entry.value, has_name)) {
             merge_by_name(same->value, std::move(entry.value));
         } else {
             same->place = entry.place;
@@ -100,14 +96,15 @@ void merge(TomlValue& into, TomlValue&& over, int depth) {
     }
 }
 
-/// The texts of a list, or of one text; an error where it is neither.
-std::vector<TomlValue> listed_texts(const TomlValue& value, std::string_view key, std::string_view wanted,
-                                    const std::string& remedy, InputErrors& errors, bool& sound) {
+/// The texts of a list, or of one text; an error where it is neither. @param wanted of the list, and of each text
+std::vector<TomlValue> listed_texts(const TomlValue& value, std::string_view key,
+                                    const std::array<std::string_view, 2>& wanted, const std::string& remedy,
+                                    InputErrors& errors, bool& sound) {
     if (value.kind == TomlValue::Kind::text) {
         return {value};
     }
     if (value.kind != TomlValue::Kind::array) {
-        errors.add(value.place, fmt::format("{} is {}; a list of {} is wanted", key, shown(value), wanted), remedy);
+        errors.add(value.place, fmt::format("{} is {}; a list of {} is wanted", key, shown(value), wanted[0]), remedy);
         sound = false;
         return {};
     }
@@ -116,7 +113,7 @@ std::vector<TomlValue> listed_texts(const TomlValue& value, std::string_view key
         if (item.kind == TomlValue::Kind::text) {
             texts.push_back(item);
         } else {
-            errors.add(item.place, fmt::format("{} has {}; a text is wanted", key, shown(item)), remedy);
+            errors.add(item.place, fmt::format("{} has {}; {} is wanted", key, shown(item), wanted[1]), remedy);
             sound = false;
         }
     }
@@ -136,17 +133,16 @@ public:
         std::error_code error;
         const fs::path real = fs::weakly_canonical(path, error);
         if (std::find(open_.begin(), open_.end(), real) != open_.end()) {
-            errors_->add(mentioned, fmt::format("{} includes itself", path.generic_string()),
-                         "remove one of the includes");
-            return std::nullopt;
+            return errors_->add(mentioned, fmt::format("{} includes itself", path.generic_string()),
+                                "remove one of the includes");
         }
         if (const auto known = merged_.find(real); known != merged_.end()) {
             return known->second;
         }
         if (open_.size() == most_files_open) {
-            errors_->add(mentioned, fmt::format("more than {} files include one another in a row", most_files_open),
-                         "include the last ones directly: include = [\"one.toml\", \"two.toml\"]");
-            return std::nullopt;
+            return errors_->add(mentioned,
+                                fmt::format("more than {} files include one another in a row", most_files_open),
+                                "include the last ones directly: include = [\"one.toml\", \"two.toml\"]");
         }
         const std::optional<TextFile> file =
             text != nullptr ? TextFile{.number = errors_->add_file(path.generic_string(), *text), .text = *text}
@@ -172,34 +168,23 @@ private:
             }
             return own;
         }
-        const bool one = include->kind == TomlValue::Kind::text;
-        const std::vector<TomlValue> list = one ? std::vector<TomlValue>{*include} : include->items;
-        if (!one && include->kind != TomlValue::Kind::array) {
-            errors_->add(include->place, fmt::format("include is {}; a list of files is wanted", shown(*include)),
-                         "write include = [\"../tires/some_tire.toml\"]");
-            return std::nullopt;
-        }
         bool complete = true;
+        const std::vector<TomlValue> list =
+            listed_texts(*include, "include", {"files", "the path of a file"},
+                         "write include = [\"../tires/some_tire.toml\"]", *errors_, complete);
         std::vector<TomlValue> unwanted;
         if (const TomlValue* without = own->find("unset")) {
-            unwanted = listed_texts(*without, "unset", "keys", "write unset = [\"drive.air_temperature\"]", *errors_,
-                                    complete);
+            unwanted = listed_texts(*without, "unset", {"keys", "a text"}, "write unset = [\"drive.air_temperature\"]",
+                                    *errors_, complete);
         }
         std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "include" || entry.key == "unset"; });
         TomlValue merged;
         merged.kind = TomlValue::Kind::table;
         for (const TomlValue& item : list) {
-            if (item.kind != TomlValue::Kind::text) {
-                errors_->add(item.place, fmt::format("include has {}; the path of a file is wanted", shown(item)),
-                             "write include = [\"../tires/some_tire.toml\"]");
-                complete = false;
-                continue;
-            }
             std::optional<TomlValue> included = read((path.parent_path() / item.text).lexically_normal(), item.place);
+            complete = complete && included;
             if (included) {
                 merge(merged, std::move(*included), 0);
-            } else {
-                complete = false;
             }
         }
         if (complete) {

@@ -73,16 +73,21 @@ TomlValue convert(const toml::node& from, int file) {
     return to;
 }
 
+/// A text from the beginning of a line on. @param line counted from 1
+std::string_view from_line(std::string_view text, int line) {
+    for (int skipped = 1; skipped < line; ++skipped) {
+        text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
+    }
+    return text;
+}
+
 /// In bytes. A case has kilobytes; what is measured stands in files of its own.
 constexpr std::uintmax_t largest_toml = std::uintmax_t{16} << 20U;
 
 /// Where a bracket was opened that is not closed before a heading or a key, which the parser then takes for a value.
 /// @returns a line; 0: there is none, or the line may stand in a list
 int open_list_before(std::string_view text, int line) {
-    std::string_view rest = text;
-    for (int skipped = 1; skipped < line; ++skipped) {
-        rest.remove_prefix(std::min(rest.find('\n') + 1, rest.size()));
-    }
+    const std::string_view rest = from_line(text, line);
     const std::size_t before = text.size() - rest.size();
     std::string_view here = trim(rest.substr(0, rest.find('\n')));
     const auto starts_key = [](std::string_view word) {
@@ -98,9 +103,7 @@ int open_list_before(std::string_view text, int line) {
 
 /// The commonest slip is a quantity without quotes.
 std::string remedy_for(const toml::parse_error& error, std::string_view text) {
-    for (toml::source_index line = 1; line < error.source().begin.line; ++line) {
-        text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
-    }
+    text = from_line(text, static_cast<int>(error.source().begin.line));
     const std::string_view line = text.substr(0, text.find('\n'));
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) {
@@ -126,14 +129,14 @@ std::string remedy_for(const toml::parse_error& error, std::string_view text) {
 std::optional<TomlValue> parse_toml(const TextFile& file, InputErrors& errors) {
     if (file.text.size() > largest_toml) {
         ErrorText reason = too_large(file.text.size(), largest_toml);
-        errors.add({.file = file.number}, "the file " + reason.what, "give measured values as a CSV or HDF5 file");
-        return std::nullopt;
+        return errors.add({.file = file.number}, "the file " + reason.what,
+                          "give measured values as a CSV or HDF5 file");
     }
     if (const std::optional<TextPlace> deep = first_too_deep(file.text)) {
-        errors.add({.file = file.number, .line = deep->line, .column = deep->column, .length = 1},
-                   fmt::format("keys and values stand more than {} deep within each other", most_levels),
-                   "no key of a case has more than a few parts: remove what stands between the dots or the brackets");
-        return std::nullopt;
+        return errors.add(
+            {.file = file.number, .line = deep->line, .column = deep->column, .length = 1},
+            fmt::format("keys and values stand more than {} deep within each other", most_levels),
+            "no key of a case has more than a few parts: remove what stands between the dots or the brackets");
     }
     try {
         TomlValue root = convert(toml::parse(file.text), file.number);
@@ -143,17 +146,15 @@ std::optional<TomlValue> parse_toml(const TextFile& file, InputErrors& errors) {
         const auto line = static_cast<int>(error.source().begin.line);
         const bool at_end = error.description().find("end-of-file") != std::string_view::npos;
         if (const int open = at_end ? line_of_open_bracket(file.text) : open_list_before(file.text, line); open > 0) {
-            errors.add(place_of(error.source(), file.number),
-                       fmt::format("not valid TOML: the bracket that is opened in line {} is not closed {}", open,
-                                   at_end ? "before the end of the file" : "before this line"),
-                       "write the missing ] or }");
-            return std::nullopt;
+            return errors.add(place_of(error.source(), file.number),
+                              fmt::format("not valid TOML: the bracket that is opened in line {} is not closed {}",
+                                          open, at_end ? "before the end of the file" : "before this line"),
+                              "write the missing ] or }");
         }
         std::string what(error.description());
         what.erase(0, what.starts_with("Error while parsing ") ? 20 : 0);
-        errors.add(place_of(error.source(), file.number), fmt::format("not valid TOML: {}", what),
-                   remedy_for(error, file.text));
-        return std::nullopt;
+        return errors.add(place_of(error.source(), file.number), fmt::format("not valid TOML: {}", what),
+                          remedy_for(error, file.text));
     }
 }
 

@@ -80,8 +80,8 @@ SourceLocation TomlTable::place(std::string_view key) const {
     return node != nullptr ? node->place : table_->place;
 }
 
-void TomlTable::add_error(std::string_view key, std::string what, std::string remedy) const {
-    errors_->add(place(key), std::move(what), std::move(remedy));
+std::nullopt_t TomlTable::add_error(std::string_view key, std::string what, std::string remedy) const {
+    return errors_->add(place(key), std::move(what), std::move(remedy));
 }
 
 void TomlTable::report_missing(std::string_view key, std::string_view example) const {

@@ -2,6 +2,7 @@
 // Checked reading of a TOML table; the calls of the reader are the schema of the table, and unknown keys are reported.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -56,6 +57,9 @@ public:
     /// A list of texts, or one text.
     std::vector<LocatedString> texts(std::string_view key, Need need = Need::described);
 
+    /// Two texts, the lower end of a range and the upper one. @returns nothing after an error, or where the key is absent
+    std::optional<std::array<double, 2>> range(std::string_view key, const QuantitySpec& spec);
+
     /// The table of this key; one that does not exist when there is none.
     [[nodiscard]] TomlTable subtable(std::string_view key, Need need = Need::described);
     /// Reads each table of a list.
@@ -72,7 +76,8 @@ public:
     [[nodiscard]] const std::string& title() const { return name_; }
     [[nodiscard]] InputErrors& errors() const { return *errors_; }
 
-    void add_error(std::string_view key, std::string what, std::string remedy = {}) const;
+    /// @returns nothing, as InputErrors::add
+    std::nullopt_t add_error(std::string_view key, std::string what, std::string remedy = {}) const;
     /// Adds keys to those that are known, without reading them. @errors std::logic_error for one that is not described
     void declare_keys(std::initializer_list<std::string_view> keys);
     /// Unknown keys are not reported: after an error it is not known which keys belong here.
@@ -101,5 +106,13 @@ private:
     std::vector<std::string> known_;
     bool unknown_keys_allowed_ = false;
 };
+
+/// The quantity of a text of a list; nothing after an error. @param name what messages call it
+[[nodiscard]] std::optional<double> read_quantity(const LocatedString& text, const QuantitySpec& spec,
+                                                  std::string_view name, InputErrors& errors);
+/// Which of the known names a name is; nothing after an error, with the one that was probably meant.
+/// @param what the error without the name: "there is no sensor"  @param plural of what they name: "sensors"
+[[nodiscard]] std::optional<std::size_t> find_name(const LocatedString& name, const std::vector<std::string>& known,
+                                                   std::string_view what, std::string_view plural, InputErrors& errors);
 
 }  // namespace tiretherm::input

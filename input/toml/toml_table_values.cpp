@@ -36,8 +36,7 @@ std::optional<double> TomlTable::quantity(std::string_view key, const QuantitySp
         parsed.error = ErrorText{fmt::format("{} is {}, without a unit", key, shown(*node)), write_like(spec)};
     }
     if (parsed.error) {
-        errors_->add(node->place, *parsed.error);
-        return std::nullopt;
+        return errors_->add(node->place, *parsed.error);
     }
     if (!parsed.remark.empty()) {
         errors_->warn(node->place, parsed.remark);
@@ -86,9 +85,8 @@ std::optional<std::size_t> TomlTable::choice(std::string_view key, std::span<con
     }
     const auto found = std::find(options.begin(), options.end(), node->text);
     if (found == options.end()) {
-        errors_->add(node->place, fmt::format("{} cannot be \"{}\"", key, node->text),
-                     suggest(node->text, known, "possible words"));
-        return std::nullopt;
+        return errors_->add(node->place, fmt::format("{} cannot be \"{}\"", key, node->text),
+                            suggest(node->text, known, "possible words"));
     }
     return static_cast<std::size_t>(found - options.begin());
 }
@@ -107,8 +105,8 @@ std::optional<int> TomlTable::count(std::string_view key, Need need) {
         return std::nullopt;
     }
     if (node->number < low || node->number > high) {
-        errors_->add(node->place, fmt::format("{} is {}; it must be between {} and {}", key, shown(*node), low, high));
-        return std::nullopt;
+        return errors_->add(node->place,
+                            fmt::format("{} is {}; it must be between {} and {}", key, shown(*node), low, high));
     }
     return static_cast<int>(node->number);
 }
@@ -132,6 +130,23 @@ std::vector<LocatedString> TomlTable::texts(std::string_view key, Need need) {
         }
     }
     return words;
+}
+
+std::optional<std::array<double, 2>> TomlTable::range(std::string_view key, const QuantitySpec& spec) {
+    const std::size_t before = errors_->count();
+    const std::vector<LocatedString> ends = texts(key);
+    if (!has(key) || errors_->count() > before) {
+        return std::nullopt;
+    }
+    if (ends.size() != 2) {
+        return add_error(key, "a range has two ends", fmt::format("write {} = [{}, \"...\"]", key, spell_example(spec)));
+    }
+    const auto low = read_quantity(ends[0], spec, key, *errors_);
+    const auto high = read_quantity(ends[1], spec, key, *errors_);
+    if (low && high && *low > *high) {
+        return add_error(key, "the range begins with its upper end", "swap the two ends");
+    }
+    return low && high ? std::optional(std::array{*low, *high}) : std::nullopt;
 }
 
 std::optional<KeyValue> TomlTable::value_of(const Key& key) {
@@ -167,6 +182,21 @@ void TomlTable::read_members(const char* owner, void* object) {
             }
         }
     }
+}
+
+std::optional<double> read_quantity(const LocatedString& text, const QuantitySpec& spec, std::string_view name,
+                                    InputErrors& errors) {
+    const ParsedQuantity parsed = parse_quantity(text.text, spec, name);
+    return parsed.error ? errors.add(text.place, *parsed.error) : std::optional(parsed.value);
+}
+
+std::optional<std::size_t> find_name(const LocatedString& name, const std::vector<std::string>& known,
+                                     std::string_view what, std::string_view plural, InputErrors& errors) {
+    const auto found = std::ranges::find(known, name.text);
+    if (found == known.end()) {
+        return errors.add(name.place, fmt::format("{} \"{}\"", what, name.text), suggest(name.text, known, plural));
+    }
+    return static_cast<std::size_t>(found - known.begin());
 }
 
 }  // namespace tiretherm::input

@@ -37,8 +37,7 @@ std::optional<std::size_t> CaseCache::find(const std::string& path, const Source
     const fs::path file = (folder_ / path).lexically_normal();
     std::error_code error;
     if (!fs::is_regular_file(file, error)) {
-        errors.add(mentioned, fmt::format("there is no case {}", path), neighbour(file));
-        return std::nullopt;
+        return errors.add(mentioned, fmt::format("there is no case {}", path), neighbour(file));
     }
     const auto known = known_.find(file.generic_string());
     if (known != known_.end()) {

@@ -67,9 +67,8 @@ std::optional<Measure> measure_of(const TomlValue& node, InputErrors& errors) {
     const std::optional<Number> number = node.kind == TomlValue::Kind::text ? leading_number(node.text) : std::nullopt;
     measure.number = number ? number->value : node.number;
     if ((!number && !node.is_number()) || !is_unit(measure.unit)) {
-        errors.add(node.place, fmt::format("range has {}; a number with its unit is wanted", shown(node)),
-                   "write such as \"300 s\", or 0.9 for a pure number");
-        return std::nullopt;
+        return errors.add(node.place, fmt::format("range has {}; a number with its unit is wanted", shown(node)),
+                          "write such as \"300 s\", or 0.9 for a pure number");
     }
     return measure;
 }

@@ -50,7 +50,7 @@ public:
     bool change(Readout& readout, std::size_t end, std::string_view model) {
         switch (input_.action) {
             case InputAction::channel:
-                return set_channel(readout, input_.words[end].text, input_.words[end].place);
+                return set_channel(readout, input_.words[end]);
             case InputAction::of_case:
                 return set_case(readout, input_.words[end], model);
             case InputAction::time_to:
@@ -87,16 +87,12 @@ private:
         return cache_.problem(readout.run).channels[readout.channel].name;
     }
 
-    bool set_channel(Readout& readout, const std::string& name, const SourceLocation& place) {
+    bool set_channel(Readout& readout, const LocatedString& name) {
         const std::vector<std::string> channels = names_of(cache_.problem(readout.run).channels);
-        const auto found = std::ranges::find(channels, name);
-        if (found == channels.end()) {
-            errors_.add(place, fmt::format("{} has no sensor \"{}\"", cache_.problem(readout.run).name, name),
-                        suggest(name, channels, "sensors"));
-            return false;
-        }
-        readout.channel = static_cast<std::size_t>(found - channels.begin());
-        return true;
+        const auto found =
+            find_name(name, channels, cache_.problem(readout.run).name + " has no sensor", "sensors", errors_);
+        readout.channel = found.value_or(readout.channel);
+        return found.has_value();
     }
 
     bool set_case(Readout& readout, const LocatedString& word, std::string_view model) {
@@ -115,7 +111,7 @@ private:
                         "name a case that has the times of the number");
             return false;
         }
-        return set_channel(readout, channel, word.place);
+        return set_channel(readout, {channel, word.place});
     }
 
     const InputDefinition& input_;
@@ -153,10 +149,8 @@ bool read_ends(const InputDefinition& definition, const Evaluation& evaluation,
 
 std::vector<NumberInput> read_number_inputs(TomlTable& table, const std::vector<InputDefinition>& inputs,
                                             const Evaluation& evaluation, CaseCache& cache) {
-    std::vector<std::string> names;
-    for (const InputDefinition& input : inputs) {
-        names.push_back(input.shown.name);
-    }
+    const std::vector<std::string> names =
+        names_of(inputs, [](const InputDefinition& input) { return input.shown.name; });
     std::vector<NumberInput> found;
     const auto read = [&](const LocatedString& word, bool inferred_from_it) {
         const auto name = std::ranges::find(names, word.text);

@@ -35,10 +35,8 @@ std::optional<Readout> resolve(const ReadoutRequest& request, const std::string&
     }
     const solver::Problem& problem = cache.problem(*run);
     const std::vector<std::string> channels = names_of(problem.channels);
-    const auto channel = std::find(channels.begin(), channels.end(), request.channel->text);
-    if (channel == channels.end()) {
-        errors.add(request.channel->place, fmt::format("{} has no sensor \"{}\"", path, request.channel->text),
-                   suggest(request.channel->text, channels, "sensors"));
+    const auto channel = find_name(*request.channel, channels, path + " has no sensor", "sensors", errors);
+    if (!channel) {
         return std::nullopt;
     }
     const auto [start, end] = std::pair(problem.settings.start, problem.settings.end);
@@ -52,7 +50,7 @@ std::optional<Readout> resolve(const ReadoutRequest& request, const std::string&
     } else if (window.take != Window::Take::at && window.from >= window.to) {
         errors.add(request.times, "the time ends before it begins", "let from be before to");
     }
-    return Readout{.run = *run, .channel = static_cast<std::size_t>(channel - channels.begin()), .window = window};
+    return Readout{.run = *run, .channel = *channel, .window = window};
 }
 
 /// The models that a number is read from, as flags.
@@ -65,12 +63,8 @@ std::vector<bool> read_chosen(TomlTable& table, const ReadoutRequest& request,
         chosen.push_back(!table.has("models") && (request.case_name || request.files.contains(model.key)));
     }
     for (const LocatedString& word : table.texts("models")) {
-        const auto found = std::find(known.begin(), known.end(), word.text);
-        if (found == known.end()) {
-            table.errors().add(word.place, fmt::format("there is no model \"{}\"", word.text),
-                               suggest(word.text, known, "models"));
-        } else {
-            chosen[static_cast<std::size_t>(found - known.begin())] = true;
+        if (const auto found = find_name(word, known, "there is no model", "models", table.errors())) {
+            chosen[*found] = true;
         }
     }
     return chosen;

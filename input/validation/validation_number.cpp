@@ -28,25 +28,6 @@ QuantitySpec wanted_of(const Evaluation& evaluation, solver::Quantity quantity) 
     return {};
 }
 
-void read_range(TomlTable& table, const QuantitySpec& spec, ValidationNumber& number) {
-    const std::vector<LocatedString> ends = table.texts("range");
-    if (ends.size() != 2) {
-        table.add_error("range", "a range has two ends", fmt::format("write range = [{0}, {0}]", spell_example(spec)));
-        return;
-    }
-    const std::array parsed{parse_quantity(ends[0].text, spec, "range"), parse_quantity(ends[1].text, spec, "range")};
-    for (std::size_t i = 0; i < 2; ++i) {
-        if (parsed[i].error) {
-            table.errors().add(ends[i].place, *parsed[i].error);
-        }
-    }
-    number.low = parsed[0].value;
-    number.high = parsed[1].value;
-    if (!parsed[0].error && !parsed[1].error && number.low > number.high) {
-        table.add_error("range", "the range begins with its upper end", "swap the two ends");
-    }
-}
-
 /// Standard uncertainty: one quantity, or its independent parts by name.
 void read_uncertainty(TomlTable& table, QuantitySpec spec, ValidationNumber& number) {
     spec.scale = Scale::difference;
@@ -85,8 +66,9 @@ void read_measured(TomlTable& table, const QuantitySpec& spec, ValidationNumber&
     if (const std::optional<double> value = table.quantity("value", spec)) {
         number.low = number.high = *value;
     }
-    if (table.has("range")) {
-        read_range(table, spec, number);
+    if (const auto range = table.range("range", spec)) {
+        number.low = (*range)[0];
+        number.high = (*range)[1];
     }
     number.low = table.quantity("above", spec).value_or(number.low);
     number.high = table.quantity("below", spec).value_or(number.high);
