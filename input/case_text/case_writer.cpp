@@ -18,6 +18,7 @@ namespace tiretherm::input {
 
 namespace {
 
+// Wide enough for most entries of the library's cases, which begin their comments there.
 constexpr std::size_t comment_column = 36;
 constexpr std::size_t line_width = 124;
 
@@ -113,6 +114,7 @@ std::string toml_value(const Key& key, std::string_view value) {
 /// The first sentence of a description as a comment has it, in small letters and without a stop, and the few words of a choice.
 std::string comment_of(const Key& key, bool with_default) {
     constexpr std::string_view mark = "Default: ";
+    // More words than these are a list to look up: `tiretherm keys` has it.
     constexpr std::size_t few = 4;
     const std::string_view sentence = key.sentence;
     const std::size_t standard = sentence.find(mark);

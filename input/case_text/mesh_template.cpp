@@ -118,6 +118,7 @@ MeshTemplate mesh_template(std::string_view name, double tread_thickness_mm) {
             take(std::move(parts[i]), made);
         }
     }
+    // A specimen does not roll: it has none of these forces.
     if (made.name != specimen_mesh) {
         add_extra_sensors(made, tread_thickness_mm);
     }

@@ -105,6 +105,7 @@ private:
         if (separates && stamp_.orders == 0 && month_ == 0) {
             return take_date(number, next);
         }
+        // Eight digits may be any number. Those of a date begin with a year in which a logger can have written it.
         constexpr int first_year = 1970;
         constexpr int last_year = 2100;
         const int year = number.value / 10000;
@@ -205,6 +206,8 @@ private:
         rest_.remove_prefix(1);
         const std::size_t count = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
         double fraction = 0.0;
+        // The digits behind the point are read by themselves and behind a point: a comma or a colon may have stood there. More
+        // than 18 of them no double holds.
         std::array<char, 20> text{'0', '.'};
         const std::size_t kept = std::min(count, text.size() - 2);
         std::copy_n(rest_.begin(), kept, text.begin() + 2);

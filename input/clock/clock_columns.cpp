@@ -16,6 +16,7 @@ namespace {
 
 /// "timestampms" is "timestamp" with "ms". @returns the unit; empty: none at the end of a name of a time
 std::string_view unit_at_end(std::string_view name) {
+    // The longer ends come first: "ms" ends with an s, and "seconds" does, too.
     for (const std::string_view unit : {"ms", "us", "ns", "seconds", "sec", "s", "minutes", "min", "hours", "h"}) {
         if (name.ends_with(unit) && has_word(column_words::clocks, name.substr(0, name.size() - unit.size()))) {
             return unit;
@@ -60,6 +61,8 @@ bool are_digits(const std::function<void(const FieldVisitor&)>& visit) {
 
 /// Whether numbers are days as a spreadsheet counts them, from 2000 on: they go on by less than any seconds of a day do.
 bool are_days(const std::function<void(const FieldVisitor&)>& visit) {
+    // 1 January 2000 and 31 December 2099 as spreadsheets count days, from the first one of 1900 on. Before and after them a
+    // number of this size is more likely something else than a moment.
     constexpr double first_day = 36526.0;
     constexpr double last_day = 73050.0;
     constexpr double longest_step = 9e-4;  // 78 s, or less than the step of a clock of 1 kHz

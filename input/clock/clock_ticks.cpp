@@ -43,6 +43,7 @@ Value median_of(std::vector<Value> values) {
 
 /// The coarsest step of a clock that shows all these times; 0 for one that is finer than a millisecond.
 double resolution_of(const std::vector<Tick>& ticks) {
+    // The steps that clocks of loggers are written in: whole minutes, whole seconds, tenths to thousandths.
     constexpr std::array steps{60.0, 1.0, 0.1, 0.01, 0.001};
     const auto shows = [&](double step) {
         return std::ranges::all_of(ticks, [&](const Tick& tick) {
@@ -72,6 +73,7 @@ std::string share_out(std::vector<double>& times, std::size_t least) {
     const double step = median_of(steps);
     const std::size_t most = std::ranges::max(counts);
     const std::size_t usual = median_of(counts);
+    // Two lines at one time are a jump on purpose where the clock could have told them apart.
     const bool hides = most > 2 || (most == 2 && step < 1.5 * resolution_of(ticks));
     if (!hides || usual < least) {
         return {};

@@ -77,6 +77,7 @@ DateOrder choose_order(const std::vector<Stamp>& stamps, const Heading& heading,
     if (dated == stamps.end()) {
         return DateOrder::day_month_year;
     }
+    // What the heading or the user says wins over what the dates look like.
     if (const auto said = clock_spelling(heading.unit.value_or("")); said && said->order) {
         return *said->order;
     }
@@ -86,6 +87,7 @@ DateOrder choose_order(const std::vector<Stamp>& stamps, const Heading& heading,
             left.push_back(try_order(stamps, order));
         }
     }
+    // When no order gives days that exist the fields are wrong, and any order will do to say so.
     const DateOrder usual = left.front().order;
     const auto keep = [&](auto&& is_right) {
         if (std::ranges::any_of(left, is_right)) {
@@ -177,6 +179,7 @@ void count_on(std::vector<double>& times, bool dated, const Heading& heading, Cl
         }
         const double gone = time + added - last;
         const double shown = time;
+        // A clock of the day that goes back by more than half of one has passed midnight.
         if (!dated && gone < -0.5 * day) {
             added += day;
         } else if (gone < 0.0 && gone + hour > 0.0 && gone + hour <= longest && may_be_changed(shown, dated)) {

@@ -11,6 +11,8 @@
 namespace tiretherm::input {
 
 int month_of(std::string_view word) {
+    // Three letters and a blank each, so that a month is the place over four. German ones that begin otherwise follow; the ä of
+    // März is two bytes, so that its first three are m and ä.
     constexpr std::string_view names = "jan feb mar apr may jun jul aug sep oct nov dec mrz mai okt dez m\u00E4";
     constexpr std::array months{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 3, 5, 10, 12, 3};
     const std::size_t at = word.size() < 3 ? std::string_view::npos : names.find(word.substr(0, 3));
@@ -45,6 +47,7 @@ std::optional<ClockSpelling> clock_spelling(std::string_view unit) {
         }
         const auto c = static_cast<char>(std::tolower(static_cast<unsigned char>(unit[i])));
         const bool goes_on = i > 0 && is_letter(unit[i - 1]);
+        // "dd/mm/yyyy" repeats one letter in each part. A unit with two letters side by side, as km/h, says nothing of clocks.
         if (goes_on && letters.back() != c) {
             return std::nullopt;  // a word
         }

@@ -4,7 +4,6 @@
 #include "input/drive/corner.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 

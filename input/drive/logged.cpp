@@ -2,7 +2,6 @@
 // Reads [[drive.file]]: the log of a data logger, with the same keys for its columns as [[run]], as input signals.
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>

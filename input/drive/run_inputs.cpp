@@ -4,7 +4,6 @@
 #include "input/drive/run_inputs.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -37,8 +36,7 @@ bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
         if (run.repeat_first_lap > 0 && choice.starts_from_the_pits) {
             errors.warn(run.laps->place,
                         "the lap that is driven before is the first of the file: if the car comes from the pits, speed "
-                        "and forces "
-                        "jump between its repetitions; let laps begin with the next");
+                        "and forces jump between its repetitions; let laps begin with the next");
         }
         file.repeated = {.from = *from, .to = choice.first_ends, .times = run.repeat_first_lap};
     }

@@ -10,7 +10,6 @@
 
 #include "input/drive/corner.hpp"
 #include "input/files/run_name.hpp"
-#include "input/text/quantity_specs.hpp"
 
 namespace tiretherm::input {
 

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "input/drive/drive.hpp"
-#include "input/text/quantity_specs.hpp"
 #include "input/text/word_lists.hpp"
 #include "solver/hot_spot/schedule_steps.hpp"
 

@@ -3,7 +3,6 @@
 // solver.
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 

@@ -44,6 +44,7 @@ bool is_choice(TomlTable& table, const Effect& effect, std::string_view key) {
     const int choice = physics::find_choice(effect, key);
     const TomlValue* value = choice >= 0 && table.has(key) ? table.value(key) : nullptr;
     return value != nullptr && value->kind == TomlValue::Kind::text &&
+           // The first option is the number itself, which no word says.
            std::ranges::count(effect.choices[static_cast<std::size_t>(choice)].options.subspan(1), value->text) > 0;
 }
 

@@ -43,6 +43,7 @@ bool uses(const Effect& effect, std::string_view signal) {
 /// How a column of the run's file becomes an input, with the columns whose names say nothing; empty without one.
 /// @param sensors names of the case's sensors
 std::string mapping_to(std::string_view input, const RunInputs& run, const std::vector<std::string>& sensors) {
+    // A logger has hundreds of columns; the message is to show how they are called.
     constexpr std::size_t shown = 8;
     std::vector<std::string> free;
     for (const std::string& heading : run.headings) {
@@ -142,8 +143,7 @@ void warn_of_doubles(TomlTable& root, const solver::Problem& problem) {
             std::ranges::any_of(problem.effects, [&](const ActiveEffect& a) { return a.effect->id == other; })) {
             const TomlValue* table = root.content().find("effects")->find(active.effect->id);
             root.errors().warn(table->place,
-                               "{0} and {1} both act and count the same heat twice: "
-                               "[effects.{1}] on = false",
+                               "{0} and {1} both act and count the same heat twice: [effects.{1}] on = false",
                                active.effect->id, other);
         }
     }
@@ -165,10 +165,9 @@ void warn_of_two_shares(TomlTable& root, const GivenSignals& given, const solver
         const TomlValue* tables = root.content().find("effects");
         const TomlValue* key = tables->find({"sliding_friction", "partition"});
         root.errors().warn(key != nullptr ? key->place : tables->find(taking)->place,
-                           "partition = {:g} gives the road {:g} of the heat of sliding, and {} lets the road "
-                           "take a share of the rest in the contact: the road's share counts twice; write "
-                           "[effects.sliding_friction] partition = \"charm\", or 1 for heat that is made in "
-                           "the tread",
+                           "partition = {:g} gives the road {:g} of the heat of sliding, and {} lets the road take a "
+                           "share of the rest in the contact: the road's share counts twice; write "
+                           "[effects.sliding_friction] partition = \"charm\", or 1 for heat that is made in the tread",
                            share, 1.0 - share, taking);
     }
 }

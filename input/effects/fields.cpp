@@ -44,6 +44,7 @@ std::vector<std::vector<double>> transferred(const mesh::Mesh& mesh, std::span<c
     physics::FieldTransfer transfer;
     const FieldFrame* last = nullptr;
     for (const FieldFrame& frame : file.frames) {
+        // Most files have one grid for all frames: its points are looked up once.
         if (last == nullptr || frame.points != last->points) {
             transfer = patches.empty() ? physics::onto_cells(mesh, frame.points)
                                        : physics::onto_faces(mesh, patches, frame.points);
@@ -107,9 +108,7 @@ void warn_of_idle_keys(const TomlTable& table, const ActiveEffect& active) {
     const auto warn = [&](std::string_view key) {
         if (table.has(key)) {
             table.errors().warn(table.place(key),
-                                "{} is ignored: the field gives the watts; use = \"shape\" "
-                                "lets it scale them",
-                                key);
+                                "{} is ignored: the field gives the watts; use = \"shape\" lets it scale them", key);
         }
     };
     for (const physics::ParameterSpec& parameter : active.effect->parameters) {

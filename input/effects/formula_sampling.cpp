@@ -26,6 +26,7 @@ constexpr int probes = 2039;             // a prime; places at which the result 
 constexpr int dip_steps = 30;            // of the golden section that looks for a margin's zero
 constexpr double margin_of_place = 0.5;  // beyond the ends, as a parabola's vertex is not quite that of the margin
 constexpr double value_accuracy = 1e-3;  // of the largest value
+// The most irrational of numbers: steps of it fall into no period that a formula may have.
 constexpr double golden = 0.618033988749894848;
 
 struct Sample {
@@ -172,6 +173,7 @@ private:
         while (!left.decides_as(right) && !samples_.too_fast) {
             Sample before = left;
             Sample after = right;
+            // Two times that are closer have no number between them.
             const double resolution =
                 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(left.t), std::abs(right.t));
             while (after.t - before.t > resolution) {

@@ -152,6 +152,7 @@ private:
         return listed(parts);
     }
 
+    // Rows that were measured at scattered values have a full grid of all their combinations: a few hundred make millions.
     static constexpr std::size_t most_ = 100000;
     const DataFile& file_;
     InputErrors& errors_;

@@ -53,6 +53,7 @@ std::vector<std::string> known_signals(const EffectSurroundings& in) {
     }
     std::ranges::sort(known);
     known.erase(std::unique(known.begin(), known.end()), known.end());
+    // Columns without a heading have no name to follow.
     std::erase(known, "");
     return known;
 }
@@ -75,12 +76,11 @@ bool can_follow(const TomlTable& table, std::string_view key, const std::string&
     }
     const std::string remedy = suggest(signal, known_signals(in), "signals");
     if (in.run != nullptr) {
-        table.errors().add(
-            in.run->place,
-            fmt::format("run {}: {} is missing (no column of its file is mapped to it and [drive] does not set it), "
-                        "which {} at {} follows",
-                        in.run->name, signal, table.title(), table.errors().spell(table.place(key))),
-            remedy);
+        table.errors().add(in.run->place,
+                           fmt::format("run {}: {} is missing (no column of its file is mapped to it and [drive] does "
+                                       "not set it), which {} at {} follows",
+                                       in.run->name, signal, table.title(), table.errors().spell(table.place(key))),
+                           remedy);
     } else {
         table.add_error(key, fmt::format("[drive] gives no signal \"{}\"", signal), remedy);
     }
@@ -112,8 +112,8 @@ std::optional<solver::SignalHistory> read_signal_history(TomlTable& table, std::
     }
     if (samples.undefined > 0.0) {
         table.errors().warn(table.place(key),
-                            "{} is not a finite number for {:.6g} s, for at most {:.6g} s from {:.6g} s "
-                            "on: it is taken as straight between its neighbours",
+                            "{} is not a finite number for {:.6g} s, for at most {:.6g} s from {:.6g} s on: it is "
+                            "taken as straight between its neighbours",
                             key, samples.undefined, samples.longest_gap, samples.gap_from);
     }
     return std::move(samples.history);

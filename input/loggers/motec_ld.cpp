@@ -27,6 +27,7 @@ namespace {
 
 constexpr std::size_t head_size = 0x1A0;   ///< up to the venue
 constexpr std::size_t record_size = 0x54;  ///< up to the unit; 40 unused bytes follow
+// Each record names the address of the next one: a damaged chain would go on as long as the file has addresses.
 constexpr std::size_t most_channels = 10000;
 
 /// A channel's record.
@@ -71,12 +72,11 @@ public:
         std::uint32_t at = in_.unsigned32(8);
         while (at != 0) {
             if (!seen.insert(at).second) {
-                return errors_.add(
-                    place_,
-                    fmt::format("the list of channels runs in a circle: after channel {} it comes back to one "
-                                "that was there before",
-                                seen.size()),
-                    "the file is damaged: read it from the logger again");
+                return errors_.add(place_,
+                                   fmt::format("the list of channels runs in a circle: after channel {} it comes back "
+                                               "to one that was there before",
+                                               seen.size()),
+                                   "the file is damaged: read it from the logger again");
             }
             if (seen.size() > most_channels) {
                 return errors_.add(place_, fmt::format("the file has more than {} channels", most_channels),

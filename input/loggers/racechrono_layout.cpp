@@ -60,11 +60,10 @@ std::optional<CsvLayout> find_racechrono_layout(std::string_view text) {
         *line = next_written_line(rest, last);
         if (line->number == 0 || begins_with_number(line->text, layout.separator)) {
             layout.defect_line = line->number == 0 ? last : line->number;
-            layout.defect =
-                ErrorText{fmt::format("the RaceChrono file has no line with the {} of its channels",
-                                      line == &layout.sources ? "sources" : "units"),
-                          "in format 3 the names are followed by a line of units and one of sources, such as 100: gps: "
-                          "export the session again"};
+            layout.defect = ErrorText{fmt::format("the RaceChrono file has no line with the {} of its channels",
+                                                  line == &layout.sources ? "sources" : "units"),
+                                      "in format 3 the names are followed by a line of units and one of sources, such "
+                                      "as 100: gps: export the session again"};
             return layout;
         }
         last = line->number;

@@ -16,7 +16,7 @@ namespace {
 using physics::Curve;
 
 /// The lowest and the highest temperature that the case gives: initial state and surroundings.
-struct Span {
+struct TemperatureSpan {
     double low = 0.0;
     double high = 0.0;
 
@@ -26,12 +26,12 @@ struct Span {
     }
 };
 
-Span given_temperatures(const solver::Problem& problem) {
+TemperatureSpan given_temperatures(const solver::Problem& problem) {
     // A start that could not be read (the air of a file that is not there) is no temperature.
     constexpr double room = 293.15;
     const auto known = std::ranges::find_if(problem.initial, [](double T) { return T > 0.0; });
     const double first = known == problem.initial.end() ? room : *known;
-    Span span{first, first};
+    TemperatureSpan span{first, first};
     for (const double T : problem.initial) {
         if (T > 0.0) {
             span.take(T);
@@ -61,8 +61,9 @@ constexpr double coldest_tire = celsius_zero - 40.0;
 constexpr double hottest_tire = celsius_zero + 200.0;
 
 /// Where a law is smallest, to a thousandth of the span.
-double lowest_place(const Curve& law, const Span& span) {
+double lowest_place(const Curve& law, const TemperatureSpan& span) {
     double lowest = span.low;
+    // For the message alone: whether a law fails is known in closed form.
     for (int i = 1; i <= 1000; ++i) {
         const double T = span.low + (span.high - span.low) * i / 1000.0;
         lowest = law.value(T) < law.value(lowest) ? T : lowest;
@@ -72,7 +73,7 @@ double lowest_place(const Curve& law, const Span& span) {
 
 /// @param unit as users write it
 void check_law(InputErrors& errors, const Curve& law, const std::string& what, std::string_view unit,
-               const SourceLocation& place, const Span& sure) {
+               const SourceLocation& place, const TemperatureSpan& sure) {
     if (!(law.minimum(sure.low, sure.high) > 0.0)) {
         const double T = lowest_place(law, sure);
         errors.add(place,
@@ -81,7 +82,7 @@ void check_law(InputErrors& errors, const Curve& law, const std::string& what, s
                    "correct the law: conductivity and heat capacity must be positive");
         return;
     }
-    const Span tire{std::min(sure.low, coldest_tire), std::max(sure.high, hottest_tire)};
+    const TemperatureSpan tire{std::min(sure.low, coldest_tire), std::max(sure.high, hottest_tire)};
     if (!(law.minimum(tire.low, tire.high) > 0.0)) {
         const double T = lowest_place(law, tire);
         errors.warn(place,
@@ -154,7 +155,7 @@ void check_laws(TomlTable& root, const solver::Problem& problem, const std::vect
     if (problem.initial.empty()) {
         return;
     }
-    const Span sure = given_temperatures(problem);
+    const TemperatureSpan sure = given_temperatures(problem);
     for (const Stock& stock : all) {
         const physics::Material& material = stock.material;
         if (!stock.used) {

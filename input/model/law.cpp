@@ -5,7 +5,6 @@
 #include "input/model/law.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 

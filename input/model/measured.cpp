@@ -2,13 +2,11 @@
 // Reads [[measured]]: a number or a range for a channel; the width of a range counts as a uniform distribution in the
 // standard uncertainty.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "input/model/channel_value.hpp"
 #include "input/model/sensors.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/word_lists.hpp"
@@ -42,6 +40,19 @@ void read_value(TomlTable& table, solver::Quantity reads, solver::Measured& meas
 }
 
 }  // namespace
+
+QuantitySpec value_spec(solver::Quantity quantity) {
+    return quantity == solver::Quantity::temperature ? quantity_specs::temperature
+                                                     : QuantitySpec{.unit = unit_of(quantity)};
+}
+
+QuantitySpec deviation_spec(solver::Quantity quantity) {
+    QuantitySpec spec{.unit = unit_of(quantity), .scale = Scale::difference, .low = 0.0, .above = true};
+    if (quantity == solver::Quantity::temperature) {
+        spec.high = quantity_specs::tolerance.high;
+    }
+    return spec;
+}
 
 std::vector<solver::Measured> read_measured(TomlTable& root, const solver::Problem& problem, double from) {
     const double end = problem.settings.end;

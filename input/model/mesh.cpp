@@ -61,6 +61,8 @@ bool read_two_node(TomlTable& mesh, const MeshSource& from, MeshTable& into) {
     }
     const physics::Material& material = stock->material;
     physics::Tire& tire = from.tire.tire;
+    // The law of the loss takes the mass of the crown from the density of [tire], the cells from that of their material: they
+    // must be one.
     if (from.tire.has_density && std::abs(tire.density / material.density - 1.0) > 1e-9) {
         mesh.add_error("material",
                        fmt::format("{} has {} kg/m3, but [tire] density is {} kg/m3", material.name, material.density,

@@ -17,9 +17,7 @@ void check_growth(const TomlTable& table, int cells, double total_ratio) {
     const double step = cells > 1 ? std::pow(std::max(total_ratio, 1.0 / total_ratio), 1.0 / (cells - 1)) : 1.0;
     if (step > 2.0) {
         table.errors().warn(table.place("ratio"),
-                            "neighbouring cells differ by a factor of {:.3g}; "
-                            "accuracy suffers above about 1.5",
-                            step);
+                            "neighbouring cells differ by a factor of {:.3g}; accuracy suffers above about 1.5", step);
     }
 }
 

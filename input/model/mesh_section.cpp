@@ -101,6 +101,7 @@ bool is_sound(TomlTable& mesh, const mesh::Section& section, const std::array<Me
         }
     }
     double lowest = section.meridian.at(0.0).radius;
+    // A profile may come near the axis between its ends, where a sharp shoulder turns inwards.
     for (int i = 0; i <= 100; ++i) {
         const double s = reach * i / 100.0;
         lowest = std::min({lowest, section.meridian.at(s).radius, section.meridian.inside(s, thickest).radius});
@@ -108,9 +109,9 @@ bool is_sound(TomlTable& mesh, const mesh::Section& section, const std::array<Me
     if (lowest < 0.02) {
         mesh.add_error(
             mesh.has("sidewall_length") ? "sidewall_length" : "kind",
-            fmt::format("the profile, {:.4g} mm from the centre to the bead, would come within {:.4g} mm of the "
-                        "tire's axis",
-                        reach * 1e3, lowest * 1e3),
+            fmt::format(
+                "the profile, {:.4g} mm from the centre to the bead, would come within {:.4g} mm of the tire's axis",
+                reach * 1e3, lowest * 1e3),
             "shorten the sidewalls or the tread, or flatten the crown");
         return false;
     }
@@ -123,9 +124,8 @@ void warn_of_other_sizes(TomlTable& mesh, const mesh::Section& section, const st
     const auto warn = [&](std::string_view what, double layers, double stated, std::string_view key) {
         if (std::abs(layers / stated - 1.0) > 0.1) {
             mesh.errors().warn(mesh.place(),
-                               "the layers of the {0} are {1:.4g} mm thick, but [tire] says "
-                               "{2:.4g} mm, from which the strain-energy loss follows; "
-                               "remedy: [tire] {3} = \"{1:.4g} mm\", or other layers",
+                               "the layers of the {0} are {1:.4g} mm thick, but [tire] says {2:.4g} mm, from which the "
+                               "strain-energy loss follows; remedy: [tire] {3} = \"{1:.4g} mm\", or other layers",
                                what, layers * 1e3, stated * 1e3, key);
         }
     };

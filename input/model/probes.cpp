@@ -135,6 +135,7 @@ Where read_section_point(TomlTable& sensor, const mesh::Mesh& mesh) {
     const std::ptrdiff_t column = mesh::column_at(mesh, places.front());
     solver::Channel found =
         channel(level(depth, mesh.columns[static_cast<std::size_t>(column)].edge.back()) + where, std::move(mean));
+    // A sensor model that conducts along its wires needs the point; a mean of several has none.
     if (places.size() == 1) {
         found.point = mesh::Point{places.front(), 0.0, depth};
     }
@@ -163,6 +164,7 @@ std::optional<Reach> read_reach(TomlTable& sensor, const mesh::Mesh& mesh) {
             "arc lengths run from outboard, negative, to inboard: swap from and to or widen the strip");
     }
     const Reach whole{.from = mesh.columns.front().from, .to = mesh.columns.back().to};
+    // The user writes half the width that the mesh has; both may differ in their last digit.
     const double slack = 1e-9 * (whole.to - whole.from);
     if (*from < whole.from - slack || *to > whole.to + slack) {
         return sensor.add_error(*from < whole.from - slack ? "from" : "to", "the strip reaches beyond the mesh",

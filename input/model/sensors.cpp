@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "input/model/channel_value.hpp"
 #include "input/model/probes.hpp"
 #include "input/model/sensors.hpp"
 #include "input/text/quantity_specs.hpp"
@@ -60,6 +59,7 @@ Where read_passage(TomlTable& sensor, solver::Channel channel, const mesh::Mesh&
         }
         channel.where.nodes.push_back(face.node);
     }
+    // The faces give watts each; what a heat-flux sensor reads is their density.
     channel.where.weights.assign(channel.where.nodes.size(), 1.0 / patch.area());
     channel.meaning += ", " + surface->meaning;
     return channel;

@@ -24,6 +24,11 @@ struct SensorKind {
 [[nodiscard]] std::vector<solver::Channel> read_sensors(TomlTable& root, const solver::Problem& problem, bool has_tire,
                                                         const GivenSignals& given);
 
+/// What a measured value of a channel must be.
+[[nodiscard]] QuantitySpec value_spec(solver::Quantity quantity);
+/// A standard deviation of such values: positive, a difference where it is one of temperatures.
+[[nodiscard]] QuantitySpec deviation_spec(solver::Quantity quantity);
+
 /// The numbers of [[measured]]. @param problem with all channels  @param from s: before, nothing was measured
 [[nodiscard]] std::vector<solver::Measured> read_measured(TomlTable& root, const solver::Problem& problem, double from);
 

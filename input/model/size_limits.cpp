@@ -69,6 +69,7 @@ double numbers_in_a_row(const solver::Problem& problem) {
 }
 
 double pieces(const solver::Settings& settings, double interval) {
+    // An interval that divides the run exactly gives no further piece by round-off.
     return std::ceil((settings.end - settings.start) / interval * (1.0 - 1e-12));
 }
 

@@ -107,6 +107,7 @@ TireTable read_tire(TomlTable& root) {
     const double nominal_radius = into.unloaded_radius;
     tire.read_into(into);
     into.reference_pressure = tire.quantity("reference_pressure").value_or(physics::TireOutline{}.inflation_pressure);
+    // Behind the size and its radius, from which it follows.
     if (!tire.has("loaded_radius_at_zero")) {
         into.loaded_radius_at_zero = into.unloaded_radius;
     }

@@ -99,6 +99,7 @@ void write_vehicle(CaseDraft& draft) {
     for (const CarValue& value : car_values) {
         draft.assume_entry(value.key, std::string(value.value), std::string(value.ground));
     }
+    // Steering alone tells how a car turns only with the ratio of its steering.
     const bool has_turns =
         log->has_course || draft.column("lateral_acceleration") != nullptr || draft.column("yaw_rate") != nullptr;
     if (!has_turns) {

@@ -48,11 +48,13 @@ public:
                 take(column, meanings_.front());
             }
         }
+        // All exact names first: "Speed" must not take the place of a later column "speed".
         for (const bool exact : {true, false}) {
             for (LogColumn& column : columns_) {
                 take_by_name(column, exact);
             }
         }
+        // Then what only some files have. A laser's power and a rig's symbols would be taken for a car's channels otherwise.
         take_laser();
         take_of_a_rig();
         take_time_by_unit();
@@ -96,8 +98,7 @@ private:
     void refuse_duplicates() {
         std::set<std::string> seen;
         for (const LogColumn& column : columns_) {
-            const bool known =
-                std::ranges::find(meanings_, column.heading.name, &ColumnMeaning::name) != meanings_.end();
+            const bool known = meaning_of(column.heading.name) != nullptr;
             if (known && !seen.insert(column.heading.name).second) {
                 errors_.add(file_.heads()[static_cast<std::size_t>(column.column)].place,
                             fmt::format("two columns are called {}", column.heading.name), "rename one in the file");
@@ -202,10 +203,7 @@ private:
         return read;
     }
 
-    [[nodiscard]] const ColumnMeaning* meaning_of(std::string_view name) const {
-        const auto found = std::ranges::find(meanings_, name, &ColumnMeaning::name);
-        return found == meanings_.end() ? nullptr : &*found;
-    }
+    [[nodiscard]] const ColumnMeaning* meaning_of(std::string_view name) const { return find_meaning(meanings_, name); }
 
     /// What the columns may be in the log of a car, the surest first; units of another kind rule a thing out.
     void find_car_columns() {

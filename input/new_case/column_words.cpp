@@ -81,6 +81,11 @@ std::vector<ColumnMeaning> meanings_of(const MeshTemplate& mesh) {
     return all;
 }
 
+const ColumnMeaning* find_meaning(const std::vector<ColumnMeaning>& meanings, std::string_view name) {
+    const auto found = std::ranges::find(meanings, name, &ColumnMeaning::name);
+    return found == meanings.end() ? nullptr : &*found;
+}
+
 std::string usual_unit(const QuantitySpec& spec) {
     const std::string example = dimension(spec.unit, spec.scale).example;
     const std::size_t blank = example.find(' ');
@@ -103,8 +108,9 @@ const ColumnMeaning* guess_meaning(const Heading& heading, const std::vector<Col
         }
     }
     const std::string near = nearest(heading.name, near_names);
+    // A slip of the pen in a standard name says more than any number of words.
     if (!near.empty()) {
-        return &*std::ranges::find(meanings, near, &ColumnMeaning::name);
+        return find_meaning(meanings, near);
     }
     return best;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "input/case_text/mesh_template.hpp"
@@ -22,6 +23,8 @@ struct ColumnMeaning {
 
 /// All that a column may be: the time first, inputs, sensors of a mesh, signals of a car.
 [[nodiscard]] std::vector<ColumnMeaning> meanings_of(const MeshTemplate& mesh);
+/// The meaning of a name; null: none.
+[[nodiscard]] const ColumnMeaning* find_meaning(const std::vector<ColumnMeaning>& meanings, std::string_view name);
 /// Whether a column that counts in any unit is in a unit of pressure.
 [[nodiscard]] bool is_pressure(const Heading& heading);
 

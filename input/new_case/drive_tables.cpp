@@ -165,6 +165,7 @@ void write_initial(CaseDraft& draft) {
     const std::optional<double> bulk = first_of(draft, "bulk_temperature");
     const std::optional<double> liner = first_of(draft, "inner_liner_temperature");
     const std::optional<double> gas = first_of(draft, "gas_temperature");
+    // The inside of a tire is what its bulk reads; a liner is nearer to it than a surface, and gas follows the rim as well.
     const std::optional<double> inside = bulk ? bulk : liner ? liner : surface ? surface : gas;
     writer.table("initial");
     const bool of_corners = draft.log() != nullptr && !draft.log()->corners().empty();

@@ -68,15 +68,14 @@ DrumTest un_r30(const OfSymbol& of, double rated) {
 
 DrumTest sae_j1561(const OfSymbol& of, double rated) {
     constexpr std::array minutes{10.0, 10.0, 10.0, 10.0, 10.0};
-    return {
-        .title = "SAE J1561 step speed",
-        .origin =
-            "a test laboratory's public summary of SAE J1561: from 40 km/h below the symbol's speed to it; steps of "
-            "10 min are recalled, the load is assumed to be that of UN R30",
-        .pressure = of.pressure,
-        .pressure_ground = of.pressure > 280e3 ? "assumed: that of UN R30" : "of the speed symbol",
-        .room = 25.0,
-        .rows = steps(steps_to_the_symbol(rated, of.load_share, minutes))};
+    return {.title = "SAE J1561 step speed",
+            .origin =
+                "a test laboratory's public summary of SAE J1561: from 40 km/h below the symbol's speed to it; steps "
+                "of 10 min are recalled, the load is assumed to be that of UN R30",
+            .pressure = of.pressure,
+            .pressure_ground = of.pressure > 280e3 ? "assumed: that of UN R30" : "of the speed symbol",
+            .room = 25.0,
+            .rows = steps(steps_to_the_symbol(rated, of.load_share, minutes))};
 }
 
 DrumTest fmvss_139(std::string_view name) {

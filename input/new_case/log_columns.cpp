@@ -42,7 +42,7 @@ bool read_values(DataFile& file, const std::vector<ColumnMeaning>& meanings, Log
         if (!column.unit.empty()) {
             file.heads()[static_cast<std::size_t>(column.column)].heading.unit = column.unit;
         }
-        const auto meaning = std::ranges::find(meanings, column.name, &ColumnMeaning::name);
+        const ColumnMeaning* meaning = find_meaning(meanings, column.name);
         QuantitySpec spec = meaning->spec;
         spec.low = column.name == "vertical_load" ? -spec.high : spec.low;  // its sign is looked at afterwards
         requests.push_back({.column = column.column,
@@ -203,8 +203,8 @@ void report_wrong_units(const Log& log, const std::vector<ColumnMeaning>& meanin
         const std::string name = !column.suggestion.empty() ? column.suggestion
                                  : names.empty()            ? ""
                                                             : names.front().name;
-        const auto meaning = std::ranges::find(meanings, name, &ColumnMeaning::name);
-        if (meaning != meanings.end() && !meaning->any_unit && read_heading_unit(column.heading, meaning->spec).error) {
+        const ColumnMeaning* meaning = find_meaning(meanings, name);
+        if (meaning != nullptr && !meaning->any_unit && read_heading_unit(column.heading, meaning->spec).error) {
             errors.add(file.heads()[static_cast<std::size_t>(column.column)].place,
                        fmt::format("{} looks like {}, and the unit given to it is {}", column.heading.name, name,
                                    column.heading.unit.value_or("")),
@@ -256,8 +256,8 @@ std::map<int, std::string> dead_columns(const Log& log, const VehicleLog& of_car
 /// Makes missing what a column of a temperature or a speed says while nothing is measured.
 void remove_dead_samples(Log& log, const std::vector<ColumnMeaning>& meanings) {
     for (LogColumn& column : log.columns) {
-        const auto meaning = std::ranges::find(meanings, column.name, &ColumnMeaning::name);
-        if (meaning != meanings.end() && !column.value.empty()) {
+        const ColumnMeaning* meaning = find_meaning(meanings, column.name);
+        if (meaning != nullptr && !column.value.empty()) {
             remove_dead(log.time, column.value, meaning->spec.unit);
         }
     }
@@ -269,14 +269,14 @@ void drop_signals_of_the_car(Log& log) {
         if (log.is_car && !log.has_motion() && is_vehicle_signal(column.name)) {
             column.drop(
                 "of the car, and the log has no lateral acceleration, yaw rate, steering or GPS heading that would "
-                "tell its "
-                "turns");
+                "tell its turns");
         }
     }
 }
 
 /// @returns whether the time has no unit and goes on by whole numbers of five or more
 bool may_be_in_ms(const Log& log, const LogColumn& time) {
+    // No logger of a car lets five seconds pass between two samples.
     constexpr double least = 5.0;
     return !time.heading.unit && time.unit == "s" && log.time.size() > 1 &&
            std::ranges::adjacent_find(log.time, [](double before, double after) {
@@ -330,6 +330,7 @@ std::optional<Log> read_log_without(const std::map<int, std::string>& dead, cons
     remove_dead_samples(log, meaning.meanings);
     const VehicleLog of_car = log_of_car(log, *file, errors);
     if (std::map<int, std::string> found = log.is_car ? dead_columns(log, of_car) : std::map<int, std::string>{};
+        // Read once more without them: another column may be what they seemed to be.
         !found.empty()) {
         found.insert(dead.begin(), dead.end());
         return read_log_without(found, path, mesh, units, errors);

@@ -197,12 +197,11 @@ void list_missing(const CaseDraft& draft) {
     };
     const auto asked = std::ranges::find_if(log->columns, asks_for_unit);
     if (log->is_car && asked != log->columns.end()) {
-        missing.push_back(
-            {fmt::format("{} columns have no unit, such as {}", std::ranges::count_if(log->columns, asks_for_unit),
-                         asked->heading.name),
-             fmt::format("say them, as in --unit \"{}={}\" or, of several, --unit \"*temp*=degC\", and call "
-                         "`tiretherm new` again with --force",
-                         asked->heading.name, asked->suggested_unit)});
+        missing.push_back({fmt::format("{} columns have no unit, such as {}",
+                                       std::ranges::count_if(log->columns, asks_for_unit), asked->heading.name),
+                           fmt::format("say them, as in --unit \"{}={}\" or, of several, --unit \"*temp*=degC\", and "
+                                       "call `tiretherm new` again with --force",
+                                       asked->heading.name, asked->suggested_unit)});
         return;
     }
     const bool guessed = std::ranges::any_of(log->columns, [&](const LogColumn& column) {

@@ -35,8 +35,7 @@ constexpr Reasons scaled{
     "without load; assumed: rim radius + H + 2.4 mm, the surplus of the thesis's tire",
     "l_max of the contact's length, thesis (57); assumed: 160 mm in proportion to the radius",
     "k of (57); assumed: 0.35 1/kN over the ratio of the vertical stiffnesses",
-    "S_cont = A + B Fz, thesis (35); assumed: the thesis's mean contact pressure, in proportion to "
-    "the inflation",
+    "S_cont = A + B Fz, thesis (35); assumed: the thesis's mean contact pressure, in proportion to the inflation",
     "R_L = A + B Fz, thesis (37); assumed: -4.2e-6 m/N over the ratio of the vertical stiffnesses",
     "R_R = A (Fz/1 N)^B, thesis (62); assumed: 348.3 mm in proportion to the radius",
     "B of (62); as the thesis's tire: a belt hardly changes its length"};
@@ -76,18 +75,15 @@ void write_tire(CaseDraft& draft) {
     }
     if (is_thesis) {
         writer.caption(
-            "The tire of the thesis (V.5): replace what you have measured of yours. Each law of the load may also "
-            "be a table: contact_length = { columns = [\"load [kN]\", \"length [mm]\"], rows = [[2, 60], [4, 97]] }");
+            "The tire of the thesis (V.5): replace what you have measured of yours. Each law of the load may also be a "
+            "table: contact_length = { columns = [\"load [kN]\", \"length [mm]\"], rows = [[2, 60], [4, 97]] }");
     } else {
-        writer.caption(
-            fmt::format("Only the size is known of the tire. Its laws of the load are those of the thesis's 225/50 "
-                        "R17, scaled at {:g} "
-                        "kPa with a vertical stiffness {:.3f} times as high (ratio of Rhyne's formula for belted "
-                        "radials, Tire Science "
-                        "and Technology 33(3), 2005). Replace what you have measured. Each law may also be a table: "
-                        "contact_length = "
-                        "{{ columns = [\"load [kN]\", \"length [mm]\"], rows = [[2, 60], [4, 97]] }}",
-                        draft.inflation_pressure * 1e-3, ratio));
+        writer.caption(fmt::format(
+            "Only the size is known of the tire. Its laws of the load are those of the thesis's 225/50 R17, scaled at "
+            "{:g} kPa with a vertical stiffness {:.3f} times as high (ratio of Rhyne's formula for belted radials, "
+            "Tire Science and Technology 33(3), 2005). Replace what you have measured. Each law may also be a table: "
+            "contact_length = {{ columns = [\"load [kN]\", \"length [mm]\"], rows = [[2, 60], [4, 97]] }}",
+            draft.inflation_pressure * 1e-3, ratio));
         draft.assume("tire", "laws of the load",
                      fmt::format("scaled from the thesis's 225/50 R17 at {:g} kPa{}{}", draft.inflation_pressure * 1e-3,
                                  draft.pressure_ground.empty() ? "" : ", ", draft.pressure_ground));

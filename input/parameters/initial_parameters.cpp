@@ -66,6 +66,7 @@ std::optional<FreeParameters> find_initial(const ParameterPath& path, const Case
     number.kind = solver::FreeParameter::Kind::initial;
     number.nodes = nodes_of(mesh, word.text);
     FreeParameters freed{.numbers = {}, .spec = shift};
+    // Each run has a start of its own, whatever the other runs began with.
     for (std::size_t run = 0; run < in.run_names.size(); ++run) {
         freed.numbers.push_back(number);
         freed.numbers.back().name += ", run " + in.run_names[run];

@@ -10,7 +10,6 @@
 #include "input/parameters/parameter_kind.hpp"
 #include "input/text/characters.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 #include "input/toml/toml_text.hpp"
 

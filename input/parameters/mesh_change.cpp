@@ -12,6 +12,7 @@ namespace {
 /// Multiplies every number of cells in a table and in the lists within it.
 void refine(TomlValue& table, int finer) {
     for (Entry& entry : table.entries) {
+        // Ratios stay: they are those of the whole row of cells, and finer cells only pass through more steps of it.
         if (entry.key.ends_with("cells") && entry.value.kind == TomlValue::Kind::integer) {
             entry.value.number *= finer;
         }

@@ -198,10 +198,9 @@ std::string_view read_subject(const TomlTable& table) {
         return "key";
     }
     if (found.empty()) {
-        table.errors().add(
-            table.place(), "[[parameter]] does not say what is free",
-            "add effect = \"...\", source = \"...\", material = \"...\", link = \"conductivity\" or initial = "
-            "\"temperature\"");
+        table.errors().add(table.place(), "[[parameter]] does not say what is free",
+                           "add effect = \"...\", source = \"...\", material = \"...\", link = \"conductivity\" or "
+                           "initial = \"temperature\"");
     }
     return found;
 }

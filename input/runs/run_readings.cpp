@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "input/model/channel_value.hpp"
+#include "input/model/sensors.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 

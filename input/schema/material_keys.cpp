@@ -9,6 +9,7 @@ namespace tiretherm::input::schema {
 
 using namespace quantity_specs;
 
+// The 90 degrees of a circumferential cord may come a last digit above the right angle when degrees are converted.
 constexpr double right_angle = std::numbers::pi / 2.0 + 1e-12;
 
 // clang-format off

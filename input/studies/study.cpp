@@ -142,6 +142,7 @@ private:
             read_base(*path, root.place("case"));
         }
         std::size_t n = study_.samples;
+        // Cut at the limit step by step: the product of several long lists passes the largest integer.
         for (const StudyInput& input : study_.inputs) {
             n *= input.is_drawn ? 1 : std::min(std::max<std::size_t>(1, input.values.size()), most_runs + 1);
             n = std::min(n, most_runs + 1);

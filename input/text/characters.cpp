@@ -26,6 +26,8 @@ bool is_control(std::string_view character) {
 std::vector<std::string> split_characters(std::string_view text) {
     std::vector<std::string> characters;
     for (const char byte : text) {
+        // A stray byte that continues nothing counts as a character, so that columns of messages stay those that an editor
+        // shows.
         const bool continues = (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
         if (continues && !characters.empty() && (static_cast<unsigned char>(characters.back()[0]) & 0x80U) != 0U) {
             characters.back() += byte;

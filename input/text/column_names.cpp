@@ -51,6 +51,7 @@ std::vector<std::string> words_of(std::string_view name) {
     enum class Class { none, small, capital, digit, other };
     const auto class_of = [](char letter) {
         const auto c = static_cast<unsigned char>(letter);
+        // Letters beyond ASCII are some bytes in UTF-8, none of which may begin a word of its own: "Außen" is one word.
         return c >= 128          ? Class::small
                : std::islower(c) ? Class::small
                : std::isupper(c) ? Class::capital
@@ -94,6 +95,7 @@ std::string word_of_clock(std::string_view name) {
 }
 
 bool is_temperature(std::string_view name, std::string_view unit) {
+    // UDUNITS takes them for the coulomb and the farad; on the head of a column they are degrees.
     if (unit == "C" || unit == "F") {
         return true;
     }

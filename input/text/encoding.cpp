@@ -57,6 +57,7 @@ Order order_of(std::string_view bytes) {
     if (bytes.starts_with("\xFE\xFF")) {
         return Order::high_first;
     }
+    // Headings are ASCII for the most part, in whatever language the channels are named.
     const std::size_t looked_at = std::min<std::size_t>(bytes.size() & ~std::size_t{1}, 512);
     std::array<std::size_t, 2> zeros{};
     for (std::size_t i = 0; i < looked_at; ++i) {
@@ -117,6 +118,7 @@ std::string as_utf8(std::string bytes) {
         bytes = from_windows(bytes);
     }
     bytes.resize(bytes.find_last_not_of('\0') + 1);
+    // Lines that end with a carriage return alone, as old Macintosh programs write them.
     if (bytes.find('\n') == std::string::npos) {
         std::ranges::replace(bytes, '\r', '\n');
     }

@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t widest = 110;  // characters of a source line that are shown
 constexpr int farthest = 50'000;     // columns of a line up to which it is shown
+// A file of the wrong kind has an error in each of its lines, and nobody reads more of them.
 constexpr std::size_t most_errors = 1000;
 
 /// The line and a caret under its place. A long line is cut to a window about the place.
@@ -238,6 +239,7 @@ std::vector<InputError> InputErrors::in_order() const {
     for (const Found& found : found_) {
         order.push_back(&found);
     }
+    // Stable: two errors at one place stay in the order in which they were found.
     std::stable_sort(order.begin(), order.end(), [](const Found* a, const Found* b) {
         return std::tie(a->place.file, a->place.line, a->place.column) <
                std::tie(b->place.file, b->place.line, b->place.column);

@@ -46,6 +46,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
         return {};
     }
     std::string best;
+    // One slip in three letters is a slip; more of them make another word.
     std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string& candidate : known) {
         if (candidate.size() > word.size() + least || word.size() > candidate.size() + least) {

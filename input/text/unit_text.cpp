@@ -114,6 +114,7 @@ bool has_number(std::string_view unit) {
         }
         const bool follows_word = i > 0 && std::isalnum(static_cast<unsigned char>(unit[i - 1])) != 0;
         if (is_digit(c) && !follows_word) {
+            // Exponents are written m2, m^2, m**2, m-2 and (m)2; any other number would scale the unit, as in "10 mm".
             const bool power = before == '*' && i > 1 && unit[i - 2] == '*';
             const bool exponent = before == '^' || before == '-' || before == '+' || before == ')' || power;
             const bool one = c == '1' && before == '(' && (i + 1 == unit.size() || !is_digit(unit[i + 1]));

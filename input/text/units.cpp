@@ -119,6 +119,7 @@ std::variant<Conversion, UnitError> conversion(std::string_view written, std::st
     const std::lock_guard guard(system.lock);
     const Parsed& from = system.find(text);
     const Parsed& to = system.find(std::string(wanted));
+    // The wanted unit stands in the program, so that a wrong one is an error of the program and not of the user.
     if (to.signature.empty()) {
         throw std::logic_error("\"" + std::string(wanted) + "\" is not a unit of UDUNITS");
     }

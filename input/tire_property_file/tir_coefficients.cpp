@@ -11,7 +11,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -85,9 +84,7 @@ void turn_negative_peak(const TirLines& lines, std::string_view key, double& fri
         friction = -friction;
         with_load = -with_load;
         errors.warn(lines.find(key)->place,
-                    "{} is below 0: the force does not depend on the sign of D, and is "
-                    "that of {:g}",
-                    key, friction);
+                    "{} is below 0: the force does not depend on the sign of D, and is that of {:g}", key, friction);
     }
 }
 

@@ -52,6 +52,7 @@ private:
         const QuantitySpec spec{.unit = si};
         const std::string subject = fmt::format("{} is '{}'", key, entry->value);
         UnitRead read = read_unit(word, spec, subject);
+        // Some units live by their capitals: MPa in small letters is none.
         if (read.error && word != entry->value) {
             read = read_unit(entry->value, spec, subject);
         }

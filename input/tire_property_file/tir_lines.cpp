@@ -96,6 +96,7 @@ TirLines::Entry read_entry(const Line& line, std::string_view written, InputErro
 
 TirLines::TirLines(const TextFile& file, InputErrors& errors) {
     std::string_view rest = file.text;
+    // Editors of Windows put a mark of UTF-8 in front.
     if (rest.starts_with("\xEF\xBB\xBF")) {
         rest.remove_prefix(3);
     }

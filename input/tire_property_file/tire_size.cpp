@@ -34,6 +34,8 @@ struct Pattern {
     Form form;
     std::string_view text;  ///< two or three numbers; without what stands before and behind
 };
+// The first that matches counts: 31x10.50 R15 also begins as a size without its rim would, and 200/600 R18 is no aspect ratio
+// of 600 %.
 constexpr std::array patterns{
     Pattern{Form::metric_outer, R"((\d{3})\s*/\s*([4-9]\d\d)\s*(?:ZR|R|-)\s*(\d{2}))"},
     Pattern{Form::metric, R"((\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:[ZVHS]R|R|B|D|-)\s*(\d{2}(?:\.5)?))"},
@@ -120,6 +122,7 @@ std::variant<TireSize, ErrorText> read_tire_size(std::string_view text) {
         std::ranges::transform(patterns, std::back_inserter(all), whole);
         return all;
     }();
+    // The library matches by recursion over the text: a long one would take the stack.
     constexpr std::size_t longest = 80;
     TireSize size{.text = std::string(text)};
     std::smatch parts;

@@ -131,6 +131,7 @@ public:
     std::optional<TomlValue> read(const fs::path& path, const SourceLocation& mentioned,
                                   const std::string* text = nullptr) {
         std::error_code error;
+        // Two paths may lead to one file, so that a circle of includes is found by where they lead.
         const fs::path real = fs::weakly_canonical(path, error);
         if (std::find(open_.begin(), open_.end(), real) != open_.end()) {
             return errors_->add(mentioned, fmt::format("{} includes itself", path.generic_string()),
@@ -153,6 +154,7 @@ public:
         open_.push_back(real);
         std::optional<TomlValue> all = with_included(path, parse_toml(*file, *errors_));
         open_.pop_back();
+        // Also what failed is kept: its errors are reported where it is read first, and not once for each mention.
         return merged_.emplace(real, std::move(all)).first->second;
     }
 
@@ -192,6 +194,7 @@ private:
                 unset(merged, {key.text, key.place}, *errors_);
             }
         }
+        // Last: what the file says itself wins over all that it includes.
         merge(merged, std::move(*own), 0);
         return complete ? std::optional(std::move(merged)) : std::nullopt;
     }

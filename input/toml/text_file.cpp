@@ -58,6 +58,7 @@ std::string bytes_of(std::FILE* file, const std::filesystem::path& path) {
     std::string bytes;
     std::error_code unknown;
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    // The size is a hint: a file may grow while it is read, and pipes have none.
     bytes.reserve(unknown ? 0 : static_cast<std::size_t>(size));
     std::string block(std::size_t{1} << 16U, '\0');
     for (std::size_t n = 0;

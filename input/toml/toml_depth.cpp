@@ -74,6 +74,7 @@ struct Scan {
             if (levels + parts > most) {
                 too_deep = start;
             }
+            // Dots and brackets within a text are no levels.
             if (c == '"' || c == '\'') {
                 i = end_of_string(text, i) - 1;
             } else if (c == '#') {

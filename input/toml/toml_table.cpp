@@ -24,6 +24,7 @@ TomlTable::TomlTable(const SourceLocation& place, std::string name, InputErrors&
 }
 
 TomlTable::~TomlTable() {
+    // After an error it is not known which keys belong here, and each would be called unknown.
     if (unknown_keys_allowed_) {
         return;
     }
@@ -93,15 +94,8 @@ void TomlTable::report_missing(std::string_view key, std::string_view example) c
 
 const TomlValue* TomlTable::take(std::string_view key, Need need, std::initializer_list<TomlValue::Kind> kinds,
                                  std::string_view expected, std::string_view example) {
-    declare_keys({key});
-    const TomlValue* node = table_->find(key);
-    if (node == nullptr) {
-        if (is_required(key, need)) {
-            report_missing(key, example);
-        }
-        return nullptr;
-    }
-    if (std::find(kinds.begin(), kinds.end(), node->kind) == kinds.end()) {
+    const TomlValue* node = value(key, need, example);
+    if (node != nullptr && std::ranges::find(kinds, node->kind) == kinds.end()) {
         errors_->add(node->place, fmt::format("{} is {}; {} is wanted", key, shown(*node), expected),
                      fmt::format("write {}", example));
         return nullptr;

@@ -104,6 +104,7 @@ std::optional<int> TomlTable::count(std::string_view key, Need need) {
     if (node == nullptr) {
         return std::nullopt;
     }
+    // Compared as numbers: a count beyond the integers of the program must not turn into one that is allowed.
     if (node->number < low || node->number > high) {
         return errors_->add(node->place,
                             fmt::format("{} is {}; it must be between {} and {}", key, shown(*node), low, high));
@@ -139,7 +140,8 @@ std::optional<std::array<double, 2>> TomlTable::range(std::string_view key, cons
         return std::nullopt;
     }
     if (ends.size() != 2) {
-        return add_error(key, "a range has two ends", fmt::format("write {} = [{}, \"...\"]", key, spell_example(spec)));
+        return add_error(key, "a range has two ends",
+                         fmt::format("write {} = [{}, \"...\"]", key, spell_example(spec)));
     }
     const auto low = read_quantity(ends[0], spec, key, *errors_);
     const auto high = read_quantity(ends[1], spec, key, *errors_);

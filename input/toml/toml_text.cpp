@@ -18,6 +18,7 @@ std::string in_quotes(std::string_view text) {
         if (c == '"' || c == '\\') {
             result += '\\';
         }
+        // TOML allows no control characters in a text.
         if (static_cast<unsigned char>(c) < ' ' || c == 127) {
             result += fmt::format("\\u{:04X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
         } else {
@@ -131,6 +132,8 @@ TomlValue quantity_value(double value, std::string_view unit) {
 
 TomlValue temperature_value(double kelvin) {
     constexpr double zero = 273.15;
+    // The difference to 273.15 has a digit of rounding at its end; what is written must give the same kelvin again, digit by
+    // digit.
     const double celsius = std::round((kelvin - zero) * 1e9) / 1e9;
     return celsius + zero == kelvin ? quantity_value(celsius, "degC") : quantity_value(kelvin, "K");
 }

@@ -4,13 +4,13 @@
 #include "input/toml/tree.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "input/text/characters.hpp"
 #include "input/text/suggestions.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::input {
 
@@ -44,12 +44,6 @@ std::vector<std::string> names_in(const TomlValue& list) {
         }
     }
     return names;
-}
-
-std::vector<std::string> keys_in(const TomlValue& table) {
-    std::vector<std::string> keys;
-    std::ranges::transform(table.entries, std::back_inserter(keys), &Entry::key);
-    return keys;
 }
 
 }  // namespace
@@ -190,7 +184,7 @@ void unset(TomlValue& document, const LocatedString& path, InputErrors& errors) 
             errors.add(path.place, fmt::format("unset: no included file has \"{}\"", path.text),
                        in_list ? suggest(path.text.substr(joined(keys, i).size() + 1), names_in(*at),
                                          fmt::format("names in [[{}]]", keys[i - 1].text))
-                               : suggest(key, keys_in(*at), "keys there"));
+                               : suggest(key, names_of(at->entries, &Entry::key), "keys there"));
             return;
         }
         if (i + 1 < keys.size()) {

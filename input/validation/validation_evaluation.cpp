@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 #include "input/validation/validation_reader.hpp"
 #include "input/validation/validation_request.hpp"

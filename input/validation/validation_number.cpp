@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads one [[number]]: the measured value, range or limit, and its uncertainty in one or several independent parts.
 
-#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
