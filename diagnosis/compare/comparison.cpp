@@ -83,7 +83,7 @@ ComparedSeries Beside::series(const input::MeasuredSeries& measured) const {
         result.measured.push_back(measured.value[i]);
         result.simulated.push_back(simulated);
         result.surroundings.push_back(!is_temperature ? 0.0 : has_air ? inputs.air_temperature : not_read);
-        result.phase.push_back(phase_at(run.problem, t, forces));
+        result.phase.push_back(phase_at(run.problem, t, inputs, forces));
         const SampleContext moment{
             .run = run, .sample = i, .inputs = inputs, .simulated = simulated, .is_temperature = is_temperature};
         for (std::size_t r = 0; r < regressors.size(); ++r) {

@@ -100,21 +100,27 @@ std::vector<CornerFigures> corners_of(const ComparedChannel& channel) {
     return corners;
 }
 
-RegressorFigures against(const ComparedChannel& channel, std::size_t regressor) {
+/// @param all differences of the channel  @param together of all of them, as `bins` takes it
+RegressorFigures against(const ComparedChannel& channel, std::size_t regressor, const Pieces& all, double together) {
     Pieces values;
     Pieces differences;
-    for (const ComparedSeries& series : channel.series) {
+    bool is_whole = true;
+    for (std::size_t s = 0; s < all.size(); ++s) {
+        const std::vector<double>& value = channel.series[s].regressor[regressor];
         values.emplace_back();
         differences.emplace_back();
-        const std::vector<double> difference = series.difference();
-        for (std::size_t i = 0; i < difference.size(); ++i) {
-            if (!std::isnan(series.regressor[regressor][i])) {
-                values.back().push_back(series.regressor[regressor][i]);
-                differences.back().push_back(difference[i]);
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            if (!std::isnan(value[i])) {
+                values.back().push_back(value[i]);
+                differences.back().push_back(all[s][i]);
             }
         }
+        is_whole = is_whole && values.back().size() == value.size();
     }
-    return {.name = {}, .unit = {}, .association = association(values, differences), .bins = bins(values, differences)};
+    return {.name = {},
+            .unit = {},
+            .association = association(values, differences),
+            .bins = bins(values, differences, is_whole ? together : correlated_samples(differences))};
 }
 
 }  // namespace
@@ -154,8 +160,9 @@ void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string,
     channel.laps = laps_of(channel, laps);
     channel.corners = corners_of(channel);
     channel.common = common_biases(channel.corners);
+    const double together = correlated_samples(differences);
     for (std::size_t r = 0; r < regressors.size(); ++r) {
-        RegressorFigures found = against(channel, r);
+        RegressorFigures found = against(channel, r, differences, together);
         if (found.bins.size() > 1 && found.association.correlation != 0.0) {  // the signal varies
             std::tie(found.name, found.unit) = regressors[r];
             channel.regressors.push_back(std::move(found));

@@ -29,14 +29,16 @@ double slip_power(const SampleContext& moment) {
 }
 
 /// A column of the log that may be missing in some runs.
-Regressor unused(const std::string& name, const std::string& unit) {
-    return {.name = name, .unit = unit, .value = [name](const SampleContext& moment) {
-                for (const input::UnusedSignal& signal : moment.run.unused) {
-                    if (signal.name == name) {
-                        return signal.value[moment.sample];
-                    }
-                }
-                return absent;
+Regressor unused(const input::Experiment& experiment, const std::string& name, const std::string& unit) {
+    std::vector<solver::SharedSamples> of_runs;
+    for (const input::MeasuredRun& run : experiment.runs) {
+        const auto found = std::ranges::find(run.unused, name, &input::UnusedSignal::name);
+        of_runs.push_back(found == run.unused.end() ? solver::SharedSamples{} : found->value);
+    }
+    const input::MeasuredRun* const first = experiment.runs.data();
+    return {.name = name, .unit = unit, .value = [of_runs, first](const SampleContext& moment) {
+                const solver::SharedSamples& values = of_runs[static_cast<std::size_t>(&moment.run - first)];
+                return values.empty() ? absent : values[moment.sample];
             }};
 }
 
@@ -74,7 +76,7 @@ std::vector<Regressor> regressors_of(const input::Experiment& experiment) {
                                            [&](const Regressor& r) { return r.name == signal.name; });
             const bool is_reading = signal.kind == input::ColumnKind::temperature_of_tire;  // no cause of another
             if (!known && !is_reading) {
-                regressors.push_back(unused(signal.name, signal.unit));
+                regressors.push_back(unused(experiment, signal.name, signal.unit));
             }
         }
     }

@@ -13,8 +13,8 @@ namespace tiretherm::diagnosis {
 
 /// A sample of a channel, as far as differences may follow it.
 struct SampleContext {
-    const input::MeasuredRun& run;
-    std::size_t sample = 0;  ///< of the run's log
+    const input::MeasuredRun& run;  ///< of the experiment that the regressors are of
+    std::size_t sample = 0;         ///< of the run's log
     const physics::Inputs& inputs;
     double simulated = 0.0;
     bool is_temperature = true;
@@ -29,6 +29,7 @@ struct Regressor {
 
 /// Time, the inputs that make or carry heat, the simulated rise over the air, and the columns that no model uses. The
 /// rise is the simulated one: the measured one shares its noise with the differences and would follow them by itself.
+/// @param experiment must outlive them
 [[nodiscard]] std::vector<Regressor> regressors_of(const input::Experiment& experiment);
 
 }  // namespace tiretherm::diagnosis

@@ -22,6 +22,11 @@ std::size_t count(const Pieces& pieces) {
                            [](std::size_t n, const std::vector<double>& piece) { return n + piece.size(); });
 }
 
+std::size_t longest_of(const Pieces& pieces) {
+    const auto piece = std::ranges::max_element(pieces, {}, &std::vector<double>::size);
+    return piece == pieces.end() ? 0 : piece->size();
+}
+
 double mean(const Pieces& pieces) {
     double sum = 0.0;
     for (const std::vector<double>& piece : pieces) {
@@ -46,10 +51,7 @@ double joint(const Pieces& a, double mean_a, const Pieces& b, double mean_b, std
 Pieces coarse(const Pieces& pieces) {
     constexpr std::size_t enough = 1000;
     constexpr double most_products = 1e8;
-    std::size_t longest = 0;
-    for (const std::vector<double>& piece : pieces) {
-        longest = std::max(longest, piece.size());
-    }
+    const std::size_t longest = longest_of(pieces);
     const double products = static_cast<double>(longest) * static_cast<double>(count(pieces));
     const std::size_t group =
         std::max({std::size_t{1}, longest / enough, static_cast<std::size_t>(std::sqrt(products / most_products))});
@@ -76,10 +78,7 @@ double sum_of_correlations(const Pieces& a, const Pieces* b) {
     if (!(scale > 0.0)) {
         return 1.0;
     }
-    std::size_t longest = 0;
-    for (const std::vector<double>& piece : a) {
-        longest = std::max(longest, piece.size());
-    }
+    const std::size_t longest = longest_of(a);
     const auto at = [&](std::size_t lag) {
         return joint(a, mean_a, a, mean_a, lag) * (b == nullptr ? 1.0 : joint(*b, mean_b, *b, mean_b, lag)) / scale;
     };
@@ -193,14 +192,13 @@ ModelUncertainty model_uncertainty(const Figures& figures, std::span<const doubl
     return result;
 }
 
-std::vector<Bin> bins(const Pieces& regressor, const Pieces& differences) {
+std::vector<Bin> bins(const Pieces& regressor, const Pieces& differences, double together) {
     std::vector<std::pair<double, double>> samples;
     for (std::size_t p = 0; p < regressor.size(); ++p) {
         for (std::size_t i = 0; i < regressor[p].size(); ++i) {
             samples.emplace_back(regressor[p][i], differences[p][i]);
         }
     }
-    const double together = correlated_samples(differences);
     constexpr std::size_t fifths = 5;
     std::vector<Bin> result;
     auto first = samples.begin();
@@ -243,11 +241,11 @@ Association association(const Pieces& regressor, const Pieces& differences) {
     }
     const double mean_r = mean(regressor);
     const double mean_d = mean(differences);
-    const double scale2 =
-        joint(regressor, mean_r, regressor, mean_r, 0) * joint(differences, mean_d, differences, mean_d, 0);
+    const double squares = joint(regressor, mean_r, regressor, mean_r, 0);
+    const double scale2 = squares * joint(differences, mean_d, differences, mean_d, 0);
     // A constant's differences from its own mean are round-off.
     const double size = std::abs(mean_r) * std::sqrt(static_cast<double>(samples));
-    if (!(scale2 > 0.0) || joint(regressor, mean_r, regressor, mean_r, 0) <= 1e-24 * size * size) {
+    if (!(scale2 > 0.0) || squares <= 1e-24 * size * size) {
         return result;
     }
     result.correlation = std::clamp(joint(regressor, mean_r, differences, mean_d, 0) / std::sqrt(scale2), -1.0, 1.0);

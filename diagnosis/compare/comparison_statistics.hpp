@@ -61,7 +61,8 @@ struct Bin {
     double deviation = 0.0;  ///< of the mean, with as many correlated samples as in the whole
 };
 /// Five bins of equally many samples; equal values share a bin, so that there may be fewer.
-[[nodiscard]] std::vector<Bin> bins(const Pieces& regressor, const Pieces& differences);
+/// @param together `correlated_samples` of the differences
+[[nodiscard]] std::vector<Bin> bins(const Pieces& regressor, const Pieces& differences, double together);
 
 /// How closely differences follow a regressor.
 struct Association {

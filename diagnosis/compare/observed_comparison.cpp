@@ -30,7 +30,7 @@ ComparedSeries series_of(const input::Experiment& experiment, const Observations
         series.measured.push_back(observations.measured[row]);
         series.simulated.push_back(simulated[row]);
         series.surroundings.push_back(0.0);
-        series.phase.push_back(phase_at(run.problem, block.time[i], has_forces(run)));
+        series.phase.push_back(phase_at(run.problem, block.time[i], inputs, has_forces(run)));
         const SampleContext moment{.run = run,
                                    .sample = block.sample[i],
                                    .inputs = inputs,

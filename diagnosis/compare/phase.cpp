@@ -72,8 +72,7 @@ bool has_forces(const input::MeasuredRun& run) {
            signals.gives(*physics::find_signal("lateral_force"));
 }
 
-Phase phase_at(const solver::Problem& problem, double time, bool of_car) {
-    const physics::Inputs now = problem.input_signals.at(time, solver::JumpSide::after);
+Phase phase_at(const solver::Problem& problem, double time, const physics::Inputs& now, bool of_car) {
     if (std::abs(now.speed) < standing_speed) {
         return Phase::standing;
     }

@@ -31,7 +31,7 @@ inline constexpr std::array phases{Phase::standing,  Phase::slipping, Phase::slo
 /// "speed below 0.1 m/s"
 [[nodiscard]] std::string_view meaning_of(Phase phase);
 
-/// @param time s, within the run  @param of_car by the forces of the tire: on a track its slip is never below that of `slipping`
-[[nodiscard]] Phase phase_at(const solver::Problem& problem, double time, bool of_car = false);
+/// @param time s, within the run  @param now the inputs there  @param of_car by the forces of the tire: on a track its slip is never below that of `slipping`
+[[nodiscard]] Phase phase_at(const solver::Problem& problem, double time, const physics::Inputs& now, bool of_car);
 
 }  // namespace tiretherm::diagnosis

@@ -17,6 +17,8 @@
 #include "input/measurements/data_warnings.hpp"
 #include "input/new_case/log_columns.hpp"
 #include "input/runs/runs.hpp"
+#include "input/tables/dead_codes.hpp"
+#include "input/text/quantity_specs.hpp"
 #include "input/text/table_shelf.hpp"
 #include "solver/order_statistics.hpp"
 #include "solver/stop_signal.hpp"
@@ -29,12 +31,18 @@ namespace {
 struct Known {
     solver::SharedSamples time;
     std::vector<double> value{};
+    std::string left_out{};  ///< what is written of a temperature and is none, a sentence; empty: nothing
 };
 
-Known known_of(const DataFile& file, int column, const solver::SharedSamples& time, InputErrors& errors) {
-    DataFile::Samples samples = file.samples(column, time, errors);
-    const auto is_missing = [](double value) { return !std::isfinite(value); };
-    const bool shares_times = file.table().columns[static_cast<std::size_t>(column)].rate == 0.0;
+Known known_of(const DataFile& file, const LogColumn& log, const solver::SharedSamples& time, InputErrors& errors) {
+    DataFile::Samples samples = file.samples(log.column, time, errors);
+    ColumnHead head = file.heads()[static_cast<std::size_t>(log.column)];
+    head.heading.unit = log.unit.empty() ? head.heading.unit : log.unit;
+    const DeadCodes dead(
+        samples.value, head,
+        {.name = head.heading.name, .spec = quantity_specs::temperature, .purpose = Purpose::measured});
+    const auto is_missing = [&](double value) { return !std::isfinite(value) || dead.has(value); };
+    const bool shares_times = file.table().columns[static_cast<std::size_t>(log.column)].rate == 0.0;
     if (shares_times && std::ranges::none_of(samples.value, is_missing)) {
         return {.time = samples.value.empty() ? solver::SharedSamples(std::vector<double>()) : time,
                 .value = std::move(samples.value)};
@@ -46,7 +54,7 @@ Known known_of(const DataFile& file, int column, const solver::SharedSamples& ti
         }
     }
     std::erase_if(samples.value, is_missing);
-    return {.time = std::move(times), .value = std::move(samples.value)};
+    return {.time = std::move(times), .value = std::move(samples.value), .left_out = dead.sentence};
 }
 
 /// Rate by the median step, and what is missing at it.
@@ -145,19 +153,20 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
         }
         ColumnSurvey found{.name = column.heading.name,
                            .unit = column.heading.unit.value_or(""),
-                           .use = !column.is_used()  ? ""
-                                  : column.is_input  ? "input"
-                                  : column.is_sensor ? "sensor"
-                                                     : "time",
+                           .use = std::string(!column.other_use.empty() ? column.other_use
+                                              : !column.is_used()       ? ""
+                                              : column.is_input         ? "input"
+                                              : column.is_sensor        ? "sensor"
+                                                                        : "time"),
                            .used_as = column.full_name(),
                            .suggestion = column.full_suggestion(),
                            .reason = column.reason,
                            .is_dropped = column.is_dropped};
-        if (!column.other_use.empty()) {
-            found.use = column.other_use;
-        }
         solver::leave_reading_if_stopped();
-        Known known = known_of(*file, column.column, time, again);
+        Known known = known_of(*file, column, time, again);
+        if (!column.is_used() && !known.left_out.empty()) {  // of one that is used the reading has said it
+            survey.doubts.push_back(known.left_out);
+        }
         set_rate(found, known, survey.from, survey.to, has_own_clocks ? known.time.size() : survey.rows);
         if (!known.value.empty()) {
             const auto [low, high] = std::ranges::minmax(known.value);

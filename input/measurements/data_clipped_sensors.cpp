@@ -27,19 +27,18 @@ constexpr std::array rails{-999.0, -273.15, -273.1, -50.0, -40.0, 0.0,    100.0,
 
 /// Stretches at the highest or the lowest value that are no stay there: a noisy signal is cut off, or one without noise goes
 /// straight to a round number and stays.
-/// @param all of the column's stretches
-std::vector<Stretch> at_the_rail(const Recording& recording, const RecordedColumn& column,
-                                 const std::vector<Stretch>& all, double rail) {
+std::vector<Stretch> at_the_rail(const Recording& recording, const RecordedColumn& column, double rail) {
+    const std::vector<Stretch>& all = stretches(column);
     std::vector<Stretch> found;
     const double written = column.conversion.from_si(rail);
     const bool round = std::ranges::any_of(rails, [&](double known) { return std::abs(written - known) < 1e-6; });
-    const bool noise = has_noise(
-        all, [&](std::size_t s) { return column.value[all[s].first] == rail; }, column.value);
+    const auto is_there = [&](const Stretch& one) { return column.value[one.first] == rail; };
+    const bool noise = has_noise(column, is_there);
     // What comes to its extreme once, at an odd number, is stuck.
-    const auto visits = std::ranges::count_if(all, [&](const Stretch& one) { return column.value[one.first] == rail; });
+    const auto visits = std::ranges::count_if(all, is_there);
     std::size_t samples = 0;
     for (std::size_t s = 0; s < all.size(); ++s) {
-        if (column.value[all[s].first] != rail || all[s].length < at_rail || is_soak(recording, column, all[s])) {
+        if (!is_there(all[s]) || all[s].length < at_rail || is_soak(recording, column, all[s])) {
             continue;
         }
         std::size_t beside = s > 0 ? all[s - 1].length : 0;
@@ -56,17 +55,18 @@ std::vector<Stretch> at_the_rail(const Recording& recording, const RecordedColum
 
 }  // namespace
 
-std::vector<Stretch> clipped_stretches(const Recording& recording, const RecordedColumn& column) {
-    const double low = column.least();
-    const double high = column.most();
-    if (column.is_input || low == high || column.high() - column.low() <= coarse * column.resolution()) {
-        return {};
-    }
-    const std::vector<Stretch> all = stretches(column.value);
-    std::vector<Stretch> found = at_the_rail(recording, column, all, low);
-    std::ranges::move(at_the_rail(recording, column, all, high), std::back_inserter(found));
-    std::ranges::sort(found, {}, &Stretch::first);
-    return found;
+const std::vector<Stretch>& clipped_stretches(const Recording& recording, const RecordedColumn& column) {
+    return column.known.clipped.get([&] {
+        const double low = column.least();
+        const double high = column.most();
+        std::vector<Stretch> found;
+        if (!column.is_input && low != high && column.high() - column.low() > coarse * column.resolution()) {
+            found = at_the_rail(recording, column, low);
+            std::ranges::move(at_the_rail(recording, column, high), std::back_inserter(found));
+            std::ranges::sort(found, {}, &Stretch::first);
+        }
+        return found;
+    });
 }
 
 namespace {
@@ -87,18 +87,16 @@ bool stands_alike(const RecordedColumn& column, double from, double to) {
 std::vector<Stretch> stuck_together(const Recording& recording, const RecordedColumn& column,
                                     std::vector<std::string>* sensors) {
     std::vector<Stretch> found;
-    const std::vector<Stretch> all = stretches(column.value);
-    for (const std::size_t s : too_long(recording, column, all)) {
-        const double from = column.time[all[s].first];
-        const double to = column.time[all[s].first + all[s].length - 1];
+    for (const Stretch& one : too_long(recording, column)) {
+        const double from = column.time[one.first];
+        const double to = column.time[one.first + one.length - 1];
         std::vector<std::string> same{column.name};
         for (const RecordedColumn& other : recording.columns) {
             if (other.is_input || other.name == column.name || !stands_alike(other, from, to)) {
                 continue;
             }
-            const std::vector<Stretch> theirs = stretches(other.value);
-            const std::vector<std::size_t> long_ones = too_long(recording, other, theirs);
-            if (std::ranges::any_of(long_ones, [&](std::size_t t) { return other.time[theirs[t].first] == from; })) {
+            if (std::ranges::any_of(too_long(recording, other),
+                                    [&](const Stretch& theirs) { return other.time[theirs.first] == from; })) {
                 same.push_back(other.name);
                 if (sensors == nullptr) {
                     break;  // one will do
@@ -106,7 +104,7 @@ std::vector<Stretch> stuck_together(const Recording& recording, const RecordedCo
             }
         }
         if (!column.is_input && same.size() > 1) {
-            found.push_back(all[s]);
+            found.push_back(one);
             if (sensors != nullptr) {
                 *sensors = same;
             }
@@ -142,7 +140,7 @@ std::string find_dead(const Recording& recording, const RecordedColumn& column) 
 }
 
 std::string find_clipped(const Recording& recording, const RecordedColumn& column) {
-    const std::vector<Stretch> found = clipped_stretches(recording, column);
+    const std::vector<Stretch>& found = clipped_stretches(recording, column);
     if (found.empty()) {
         return {};
     }

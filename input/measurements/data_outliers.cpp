@@ -79,45 +79,8 @@ double largest_step_about(const std::vector<double>& value, std::size_t first, s
     return largest;
 }
 
-}  // namespace
-
-std::string find_time_jumps(const Recording& recording) {
-    const std::vector<double>& time = recording.time;
-    if (time.size() < 3) {
-        return {};
-    }
-    const double length = time.back() - time.front();
-    if (recording.time_unit == "s" && length > long_recording && time.size() >= 50) {
-        return fmt::format("goes on for {} h, and {} ms would be {} s: is the column in ms?",
-                           three_digits(length / 3600.0), three_digits(length), three_digits(length / 1000.0));
-    }
-    std::vector<double> between;  // the samples; lines that stand twice have no interval
-    between.reserve(time.size());
-    std::size_t before_longest = 0;
-    for (std::size_t i = 1; i < time.size(); ++i) {
-        const double interval = time[i] - time[i - 1];
-        if (interval > 0.0) {
-            between.push_back(interval);
-        }
-        before_longest = interval > time[before_longest + 1] - time[before_longest] ? i - 1 : before_longest;
-    }
-    if (between.empty()) {
-        return {};
-    }
-    const double longest = time[before_longest + 1] - time[before_longest];
-    const double usual = solver::median(between);
-    const auto jumps = std::ranges::count_if(between, [&](double one) { return one > long_interval * usual; });
-    if (jumps == 0) {
-        return {};
-    }
-    const std::string from = fmt::format("{:.6g} s", time[before_longest]);
-    const std::string how = jumps == 1
-                                ? fmt::format("jumps by {:.6g} s after {}", longest, from)
-                                : fmt::format("jumps {} times, at most by {:.6g} s after {}", jumps, longest, from);
-    return fmt::format("{}, where a sample mostly comes every {:.6g} s: was the logger paused?", how, usual);
-}
-
-std::vector<Outlier> outliers_of(const Recording& recording, const RecordedColumn& column) {
+/// Samples that leave the others at once and come back.
+std::vector<Outlier> look_for_outliers(const Recording& recording, const RecordedColumn& column) {
     const std::vector<double>& value = column.value;
     if (value.size() < 2 * half_window + 1) {
         return {};
@@ -158,8 +121,50 @@ std::vector<Outlier> outliers_of(const Recording& recording, const RecordedColum
     return found;
 }
 
+}  // namespace
+
+std::string find_time_jumps(const Recording& recording) {
+    const std::vector<double>& time = recording.time;
+    if (time.size() < 3) {
+        return {};
+    }
+    const double length = time.back() - time.front();
+    if (recording.time_unit == "s" && length > long_recording && time.size() >= 50) {
+        return fmt::format("goes on for {} h, and {} ms would be {} s: is the column in ms?",
+                           three_digits(length / 3600.0), three_digits(length), three_digits(length / 1000.0));
+    }
+    std::vector<double> between;  // the samples; lines that stand twice have no interval
+    between.reserve(time.size());
+    std::size_t before_longest = 0;
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        const double interval = time[i] - time[i - 1];
+        if (interval > 0.0) {
+            between.push_back(interval);
+        }
+        before_longest = interval > time[before_longest + 1] - time[before_longest] ? i - 1 : before_longest;
+    }
+    if (between.empty()) {
+        return {};
+    }
+    const double longest = time[before_longest + 1] - time[before_longest];
+    const double usual = solver::median(between);
+    const auto jumps = std::ranges::count_if(between, [&](double one) { return one > long_interval * usual; });
+    if (jumps == 0) {
+        return {};
+    }
+    const std::string from = fmt::format("{:.6g} s", time[before_longest]);
+    const std::string how = jumps == 1
+                                ? fmt::format("jumps by {:.6g} s after {}", longest, from)
+                                : fmt::format("jumps {} times, at most by {:.6g} s after {}", jumps, longest, from);
+    return fmt::format("{}, where a sample mostly comes every {:.6g} s: was the logger paused?", how, usual);
+}
+
+const std::vector<Outlier>& outliers_of(const Recording& recording, const RecordedColumn& column) {
+    return column.known.outliers.get([&] { return look_for_outliers(recording, column); });
+}
+
 std::string find_outliers(const Recording& recording, const RecordedColumn& column) {
-    const std::vector<Outlier> found = outliers_of(recording, column);
+    const std::vector<Outlier>& found = outliers_of(recording, column);
     if (found.empty()) {
         return {};
     }

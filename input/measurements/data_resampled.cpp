@@ -236,9 +236,7 @@ Resampling smooth_resampling(const RecordedColumn& column) {
     return {};
 }
 
-}  // namespace
-
-Resampling resampling_of(const RecordedColumn& column) {
+Resampling find_resampling(const RecordedColumn& column) {
     const std::size_t n = column.value.size();
     if (column.is_input || n < 2 * least_knots || !is_even(column.time) ||
         std::ranges::adjacent_find(column.value, std::ranges::not_equal_to{}) == column.value.end()) {
@@ -252,8 +250,14 @@ Resampling resampling_of(const RecordedColumn& column) {
     return {};
 }
 
+}  // namespace
+
+const Resampling& resampling_of(const RecordedColumn& column) {
+    return column.known.resampling.get([&] { return find_resampling(column); });
+}
+
 std::string find_resampled(const Recording& recording, const RecordedColumn& column) {
-    const Resampling found = resampling_of(column);
+    const Resampling& found = resampling_of(column);
     if (found.how == Resampling::How::none) {
         return {};
     }

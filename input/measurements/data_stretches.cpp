@@ -19,13 +19,13 @@ constexpr double eventful = 0.1;      ///< of an input's range; where it changes
 constexpr double noisy = 0.2;         ///< reversals a sample; a ramp has none, white noise two thirds
 
 /// The length of the stretch in which the middle sample lies when they are sorted by length, some left out.
-std::size_t typical_length(const std::vector<Stretch>& all, const std::function<bool(std::size_t)>& without) {
+std::size_t typical_length(const RecordedColumn& column, const std::function<bool(const Stretch&)>& without) {
     std::map<std::size_t, std::size_t> in_length;  // samples in stretches of a length
     std::size_t samples = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!without(i)) {
-            in_length[all[i].length] += all[i].length;
-            samples += all[i].length;
+    for (const Stretch& one : stretches(column)) {
+        if (!without(one)) {
+            in_length[one.length] += one.length;
+            samples += one.length;
         }
     }
     std::size_t counted = 0;
@@ -40,21 +40,19 @@ std::size_t typical_length(const std::vector<Stretch>& all, const std::function<
 
 }  // namespace
 
-std::vector<Stretch> stretches(const std::vector<double>& value) {
-    std::size_t n = 1;
-    for (std::size_t i = 1; i < value.size(); ++i) {
-        n += value[i] != value[i - 1] ? 1 : 0;
-    }
-    std::vector<Stretch> found;
-    found.reserve(n);
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        if (i > 0 && value[i] == value[i - 1]) {
-            ++found.back().length;
-        } else {
-            found.push_back({i, 1});
+const std::vector<Stretch>& stretches(const RecordedColumn& column) {
+    return column.known.stretches.get([&] {
+        const std::vector<double>& value = column.value;
+        std::vector<Stretch> found;
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            if (i > 0 && value[i] == value[i - 1]) {
+                ++found.back().length;
+            } else {
+                found.push_back({i, 1});
+            }
         }
-    }
-    return found;
+        return found;
+    });
 }
 
 double reversals(const std::vector<double>& value, const Stretch& without) {
@@ -81,45 +79,55 @@ bool is_soak(const Recording& recording, const RecordedColumn& column, const Str
            });
 }
 
-bool has_noise(const std::vector<Stretch>& all, const std::function<bool(std::size_t)>& without,
-               const std::vector<double>& value) {
+bool has_noise(const RecordedColumn& column, const std::function<bool(const Stretch&)>& without) {
+    const std::vector<double>& value = column.value;
+    const std::vector<Stretch>& all = stretches(column);
     std::size_t turns = 0;
     std::size_t counted = 0;
     for (std::size_t s = 1; s + 1 < all.size(); ++s) {
-        if (!without(s)) {
+        if (!without(all[s])) {
             const std::size_t i = all[s].first;
             const std::size_t next = all[s + 1].first;
             turns += (value[i] - value[i - 1]) * (value[next] - value[i]) < 0.0 ? 1 : 0;
             counted += all[s].length;
         }
     }
-    return counted >= stuck_samples && typical_length(all, without) <= 1 &&
-           static_cast<double>(turns) > noisy * static_cast<double>(counted);
+    return counted >= stuck_samples && static_cast<double>(turns) > noisy * static_cast<double>(counted) &&
+           typical_length(column, without) <= 1;
 }
 
-std::vector<std::size_t> too_long(const Recording& recording, const RecordedColumn& column,
-                                  const std::vector<Stretch>& all) {
-    std::vector<std::size_t> found;
+namespace {
+
+/// What stands still for too long.
+std::vector<Stretch> find_too_long(const Recording& recording, const RecordedColumn& column) {
+    std::vector<Stretch> found;
     const auto least =
         std::max(static_cast<double>(stuck_samples), stuck_share * static_cast<double>(column.value.size()));
+    const std::vector<Stretch>& all = stretches(column);
     if (all.size() < 2 || column.high() - column.low() <= coarse * column.resolution()) {
         return found;
     }
-    for (std::size_t s = 0; s < all.size(); ++s) {
-        const auto length = static_cast<double>(all[s].length);
-        if (length <= least || is_soak(recording, column, all[s]) ||
-            length <= stuck_factor *
-                          static_cast<double>(typical_length(all, [&](std::size_t other) { return other == s; }))) {
+    for (const Stretch& one : all) {
+        const auto length = static_cast<double>(one.length);
+        const auto is_it = [&](const Stretch& other) { return other.first == one.first; };
+        if (length <= least || is_soak(recording, column, one) ||
+            length <= stuck_factor * static_cast<double>(typical_length(column, is_it))) {
             continue;
         }
         // An input that rests at zero or is held by a controller is no sensor that hangs.
-        const double value = column.value[all[s].first];
-        if (!column.is_input || (value != 0.0 && reversals(column.value, all[s]) >= noisy)) {
-            found.push_back(s);
+        const double value = column.value[one.first];
+        if (!column.is_input || (value != 0.0 && reversals(column.value, one) >= noisy)) {
+            found.push_back(one);
         }
     }
-    std::ranges::stable_sort(found, std::greater{}, [&](std::size_t s) { return all[s].length; });
+    std::ranges::stable_sort(found, std::greater{}, &Stretch::length);
     return found;
+}
+
+}  // namespace
+
+const std::vector<Stretch>& too_long(const Recording& recording, const RecordedColumn& column) {
+    return column.known.too_long.get([&] { return find_too_long(recording, column); });
 }
 
 namespace {

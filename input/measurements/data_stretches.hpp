@@ -16,7 +16,7 @@ constexpr std::size_t stuck_samples = 20;  ///< fewer equal samples are nothing
 constexpr double coarse = 3.0;             ///< steps of the logger; a signal that moves no further hardly moves
 
 /// All samples of a column in stretches of equal values.
-[[nodiscard]] std::vector<Stretch> stretches(const std::vector<double>& value);
+[[nodiscard]] const std::vector<Stretch>& stretches(const RecordedColumn& column);
 
 /// How often, a sample, a signal turns round outside a stretch. A setpoint and a ramp hardly ever do.
 [[nodiscard]] double reversals(const std::vector<double>& value, const Stretch& without);
@@ -26,17 +26,15 @@ constexpr double coarse = 3.0;             ///< steps of the logger; a signal th
 
 /// Whether a sensor's noise is well above what the logger resolves: most samples outside some stretches differ from their
 /// neighbours, up and down. Such a signal does not repeat itself.
-/// @param without stretches that are left out, by their index
-[[nodiscard]] bool has_noise(const std::vector<Stretch>& all, const std::function<bool(std::size_t)>& without,
-                             const std::vector<double>& value);
+/// @param without whether a stretch is left out
+[[nodiscard]] bool has_noise(const RecordedColumn& column, const std::function<bool(const Stretch&)>& without);
 
-/// What stands still in a column for too long, as indices into its stretches; the longest first.
-[[nodiscard]] std::vector<std::size_t> too_long(const Recording& recording, const RecordedColumn& column,
-                                                const std::vector<Stretch>& all);
+/// What stands still in a column for too long, the longest first.
+[[nodiscard]] const std::vector<Stretch>& too_long(const Recording& recording, const RecordedColumn& column);
 
 /// Stretches at the highest or the lowest value that are no stay there: a noisy signal is cut off, or one without noise goes
 /// straight to a round number and stays.
-[[nodiscard]] std::vector<Stretch> clipped_stretches(const Recording& recording, const RecordedColumn& column);
+[[nodiscard]] const std::vector<Stretch>& clipped_stretches(const Recording& recording, const RecordedColumn& column);
 
 /// Stretches of a sensor in which others stand still as well, from the same sample to the same.
 /// @param sensors out, if not null: the names of all that stand still in the last of them

@@ -26,13 +26,11 @@ bool anything_happens(const Recording& recording, const RecordedColumn& but) {
 
 /// Whether a sensor that stands still was surely stuck: it has noise otherwise, or it is let go with a jump that no input
 /// explains. What comes to rest on a step of a coarse logger does neither.
-bool is_surely_stuck(const Recording& recording, const RecordedColumn& column, const std::vector<Stretch>& all,
-                     std::size_t stretch) {
-    if (has_noise(
-            all, [&](std::size_t s) { return s == stretch; }, column.value)) {
+bool is_surely_stuck(const Recording& recording, const RecordedColumn& column, const Stretch& stretch) {
+    if (has_noise(column, [&](const Stretch& one) { return one.first == stretch.first; })) {
         return true;
     }
-    const std::size_t end = all[stretch].first + all[stretch].length;
+    const std::size_t end = stretch.first + stretch.length;
     if (end >= column.value.size()) {
         return false;
     }
@@ -78,16 +76,15 @@ std::string find_frozen(const Recording& recording, const RecordedColumn& column
 }
 
 std::string find_stuck(const Recording& recording, const RecordedColumn& column) {
-    const std::vector<Stretch> clipped = clipped_stretches(recording, column);
-    const std::vector<Stretch> all = stretches(column.value);
-    std::vector<std::size_t> found = too_long(recording, column, all);
-    std::erase_if(found, [&](std::size_t s) { return overlaps(clipped, all[s]); });
+    const std::vector<Stretch>& clipped = clipped_stretches(recording, column);
+    std::vector<Stretch> found = too_long(recording, column);
+    std::erase_if(found, [&](const Stretch& one) { return overlaps(clipped, one); });
     if (found.empty()) {
         return {};
     }
-    const Stretch& longest = all[found.front()];
-    const bool surely = !column.is_input && std::ranges::any_of(found, [&](std::size_t s) {
-        return is_surely_stuck(recording, column, all, s);
+    const Stretch& longest = found.front();
+    const bool surely = !column.is_input && std::ranges::any_of(found, [&](const Stretch& one) {
+        return is_surely_stuck(recording, column, one);
     });
     return fmt::format(
         "stands at {} for {} samples, from {:.6g} s to {:.6g} s{}, while it otherwise changes: was it stuck?{}",
@@ -98,30 +95,24 @@ std::string find_stuck(const Recording& recording, const RecordedColumn& column)
 }
 
 std::string find_dead_stretches(const Recording& recording, const RecordedColumn& column) {
-    const std::vector<Stretch> clipped = clipped_stretches(recording, column);
-    const std::vector<Stretch> all = stretches(column.value);
-    const std::vector<std::size_t> stuck = too_long(recording, column, all);
     std::vector<Stretch> dead = dead_of(recording, column);
     std::erase_if(dead, [&](const Stretch& one) {
-        return overlaps(clipped, one) ||
-               std::ranges::any_of(stuck, [&](std::size_t s) { return overlaps({all[s]}, one); });
+        return overlaps(clipped_stretches(recording, column), one) || overlaps(too_long(recording, column), one);
     });
     return dead.empty() ? std::string()
                         : fmt::format("{}.{}", sentence_of_dead(dead, column.time, column.value, column.si),
                                       left_out(recording));
 }
 
-std::vector<Stretch> unusable_stretches(const Recording& recording, const RecordedColumn& column) {
-    std::vector<Stretch> found = clipped_stretches(recording, column);
-    std::ranges::move(dead_of(recording, column), std::back_inserter(found));
-    std::ranges::move(stuck_together(recording, column, nullptr), std::back_inserter(found));
-    const std::vector<Stretch> all = stretches(column.value);
-    for (const std::size_t s : too_long(recording, column, all)) {
-        if (is_surely_stuck(recording, column, all, s)) {
-            found.push_back(all[s]);
-        }
-    }
-    return found;
+const std::vector<Stretch>& unusable_stretches(const Recording& recording, const RecordedColumn& column) {
+    return column.known.unusable.get([&] {
+        std::vector<Stretch> found = clipped_stretches(recording, column);
+        std::ranges::move(dead_of(recording, column), std::back_inserter(found));
+        std::ranges::move(stuck_together(recording, column, nullptr), std::back_inserter(found));
+        std::ranges::copy_if(too_long(recording, column), std::back_inserter(found),
+                             [&](const Stretch& one) { return is_surely_stuck(recording, column, one); });
+        return found;
+    });
 }
 
 }  // namespace tiretherm::input

@@ -50,20 +50,19 @@ double RecordedColumn::largest() const {
 }
 
 const RecordedColumn::Statistics& RecordedColumn::statistics() const {
-    if (!known_statistics) {
+    return known.statistics.get([&] {
         double smallest = 0.0;
         for (std::size_t i = 1; i < value.size(); ++i) {
             const double step = std::abs(value[i] - value[i - 1]);
             smallest = step > 0.0 && (smallest == 0.0 || step < smallest) ? step : smallest;
         }
-        const auto [least, most] = std::ranges::minmax(value);
-        known_statistics = {.least = least,
-                            .most = most,
-                            .low = quantile(value, 0.01),
-                            .high = quantile(value, 0.99),
-                            .resolution = smallest};
-    }
-    return *known_statistics;
+        const auto [first, last] = std::ranges::minmax(value);
+        return Statistics{.least = first,
+                          .most = last,
+                          .low = quantile(value, 0.01),
+                          .high = quantile(value, 0.99),
+                          .resolution = smallest};
+    });
 }
 
 std::string RecordedColumn::show(double si_amount) const {
@@ -133,7 +132,7 @@ void leave_out_unusable(const Recording& recording, MeasuredRun& run) {
                             false);
             }
         }
-        const Resampling resampling = resampling_of(column);
+        const Resampling& resampling = resampling_of(column);
         for (std::size_t i = 0; i < kept.size(); ++i) {
             kept[i] = kept[i] && i % resampling.ratio == resampling.first;
         }

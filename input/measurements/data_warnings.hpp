@@ -17,6 +17,43 @@
 
 namespace tiretherm::input {
 
+/// Samples of a sensor, one after another.
+struct Stretch {
+    std::size_t first = 0;  ///< index into RecordedColumn::value
+    std::size_t length = 0;
+};
+
+/// Of a column that was brought to a higher rate: one sample of so many is a measured value.
+struct Resampling {
+    enum class How : std::uint8_t { none, held, linear, smooth };
+    How how = How::none;
+    std::size_t ratio = 1;
+    std::size_t first = 0;  ///< measured sample, and every ratio-th from it on
+};
+
+/// Samples that leave the others at once and come back, and by how much they lie off.
+struct Outlier {
+    Stretch where;
+    double height = 0.0;   ///< SI
+    bool is_sure = false;  ///< of a temperature, so far off that no tire has it: it is left out
+};
+
+/// Something that is worked out when it is first asked for: several checks look at the same.
+template <typename Value>
+class Memo {
+public:
+    template <typename Make>
+    [[nodiscard]] const Value& get(const Make& make) const {
+        if (!known_) {
+            known_ = make();
+        }
+        return *known_;
+    }
+
+private:
+    mutable std::optional<Value> known_{};
+};
+
 /// A column of a run's file that the model uses, without its missing samples.
 struct RecordedColumn {
     std::string name;            ///< what the model calls it
@@ -50,10 +87,19 @@ struct RecordedColumn {
         double high = 0.0;
         double resolution = 0.0;
     };
-    /// Worked out when they are first asked for, as each check of each column asks: from then on `value` stays as it is.
     /// @pre it has some
     [[nodiscard]] const Statistics& statistics() const;
-    mutable std::optional<Statistics> known_statistics{};
+
+    /// What has been found out: from then on `value` stays as it is.
+    struct Known {
+        Memo<Statistics> statistics{};
+        Memo<std::vector<Stretch>> stretches{};
+        Memo<std::vector<Stretch>> too_long{};
+        Memo<std::vector<Stretch>> clipped{};
+        Memo<std::vector<Stretch>> unusable{};
+        Memo<std::vector<Outlier>> outliers{};
+        Memo<Resampling> resampling{};
+    } known{};
 };
 
 /// What was recorded in a run.
@@ -87,32 +133,14 @@ struct Recording {
 [[nodiscard]] std::vector<std::string> find_copies(const Recording& recording);
 [[nodiscard]] std::string find_resampled(const Recording& recording, const RecordedColumn& column);
 
-/// Samples of a sensor, one after another.
-struct Stretch {
-    std::size_t first = 0;  ///< index into RecordedColumn::value
-    std::size_t length = 0;
-};
 /// What of a sensor is stuck, clipped, dropped to a rail or dead so surely that it is left out.
-[[nodiscard]] std::vector<Stretch> unusable_stretches(const Recording& recording, const RecordedColumn& column);
-/// Of a column that was brought to a higher rate: one sample of so many is a measured value.
-struct Resampling {
-    enum class How : std::uint8_t { none, held, linear, smooth };
-    How how = How::none;
-    std::size_t ratio = 1;
-    std::size_t first = 0;  ///< measured sample, and every ratio-th from it on
-};
-[[nodiscard]] Resampling resampling_of(const RecordedColumn& column);
+[[nodiscard]] const std::vector<Stretch>& unusable_stretches(const Recording& recording, const RecordedColumn& column);
+[[nodiscard]] const Resampling& resampling_of(const RecordedColumn& column);
 
 /// Leaves out of a run what its sensors did not measure, each of it found by the functions above: sensors that are frozen or
 /// dead count as frozen, samples that are stuck, clipped, surely outliers or between the measured ones become missing.
 void leave_out_unusable(const Recording& recording, MeasuredRun& run);
-/// Samples that leave the others at once and come back, and by how much they lie off.
-struct Outlier {
-    Stretch where;
-    double height = 0.0;   ///< SI
-    bool is_sure = false;  ///< of a temperature, so far off that no tire has it: it is left out
-};
-[[nodiscard]] std::vector<Outlier> outliers_of(const Recording& recording, const RecordedColumn& column);
+[[nodiscard]] const std::vector<Outlier>& outliers_of(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_outliers(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unit_slip(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unusual(const Recording& recording, const RecordedColumn& column);

@@ -3,6 +3,7 @@
 // and 200 degC, of unused materials, of cords that the mesh cannot show, and of inputs outside the ranges of the tire's laws.
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -124,27 +125,30 @@ struct Seen {
 };
 
 Seen look_at(const solver::Problem& problem) {
-    std::vector<double> times{problem.settings.start};
-    times.insert(times.end(), problem.input_signals.stops().begin(), problem.input_signals.stops().end());
-    times.insert(times.end(), problem.input_signals.samples().begin(), problem.input_signals.samples().end());
-    Seen seen;
-    bool first = true;
-    for (const double t : times) {
-        for (const solver::JumpSide side : {solver::JumpSide::before, solver::JumpSide::after}) {
-            const physics::Inputs in = problem.input_signals.at(t, side);
-            const double p = in.inflation_pressure;
-            seen.least_pressure = first ? p : std::min(seen.least_pressure, p);
-            seen.most_pressure = first ? p : std::max(seen.most_pressure, p);
-            first = false;
-            const double deflection = problem.tire.touches(in.vertical_load)
-                                          ? problem.tire.unloaded_radius - problem.tire.loaded_radius(in)
-                                          : 0.0;
-            if (deflection > seen.deflection) {
-                seen.deflection = deflection;
-                seen.load = in.vertical_load;
-                seen.time = t;
-            }
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const solver::InputSignals& signals = problem.input_signals;
+    Seen seen{.least_pressure = infinite, .most_pressure = -infinite};
+    const auto look = [&](double t, solver::JumpSide side) {
+        const physics::Inputs in = signals.at(t, side);
+        seen.least_pressure = std::min(seen.least_pressure, in.inflation_pressure);
+        seen.most_pressure = std::max(seen.most_pressure, in.inflation_pressure);
+        const double deflection = problem.tire.touches(in.vertical_load)
+                                      ? problem.tire.unloaded_radius - problem.tire.loaded_radius(in)
+                                      : 0.0;
+        if (deflection > seen.deflection) {
+            seen.deflection = deflection;
+            seen.load = in.vertical_load;
+            seen.time = t;
         }
+    };
+    look(problem.settings.start, solver::JumpSide::before);
+    look(problem.settings.start, solver::JumpSide::after);
+    for (const double t : signals.stops()) {
+        look(t, solver::JumpSide::before);
+        look(t, solver::JumpSide::after);
+    }
+    for (const double t : signals.samples()) {  // a jump is a stop
+        look(t, solver::JumpSide::before);
     }
     return seen;
 }

@@ -125,14 +125,21 @@ struct RunsRead {
     Runs into{};
 };
 
-RunInputs inputs_of(const RunBeingRead& reading, const RunFile* file, bool has_car, InputErrors& errors) {
+/// @param before the run that was read before this one; null: none
+RunInputs inputs_of(const RunBeingRead& reading, const RunFile* file, bool has_car, const RunBeingRead* before,
+                    InputErrors& errors) {
     RunInputs inputs = read_run_inputs(reading.table, file, errors);
     if (file == nullptr) {
         return inputs;
     }
     if (has_car && !file->time.empty()) {
-        inputs.course = course_over_ground(file->file, file->time, errors);
-        inputs.course.course = file->repeated.before(inputs.course.course);
+        const bool is_known = before != nullptr && before->inputs && !reading.table.corner.empty() &&
+                              before->run.recording == reading.table.recording && before->run.time == file->time;
+        // All corners of a car drive the same way.
+        inputs.course = is_known ? before->inputs->course : course_over_ground(file->file, file->time, errors);
+        if (!is_known) {
+            inputs.course.course = file->repeated.before(inputs.course.course);
+        }
     }
     inputs.start_readings = start_readings(reading.table, *file, inputs, reading.document, errors);
     return inputs;
@@ -211,13 +218,14 @@ void read_run(RunBeingRead& reading, const RunsInCommon& common, std::shared_ptr
     std::optional<RunFile> opened =
         table.file ? open_run_file(table, reading.document, common.sensors, common.followed, errors) : std::nullopt;
     RunFile* const file = opened ? &*opened : nullptr;
+    const RunBeingRead* const before = read.runs.size() > 1 ? read.runs[read.runs.size() - 2].get() : nullptr;
     if (file == nullptr) {
         table.keys->allow_unknown_keys();
     }
     warn_of_files_beside_laps(reading.document, table, errors);
     add_pyrometer_readings(reading.document, table, file, common.tables, errors);
     if (common.measured) {
-        reading.inputs = inputs_of(reading, file, common.has_car(), errors);
+        reading.inputs = inputs_of(reading, file, common.has_car(), before, errors);
     }
     const RunInputs* const inputs = reading.inputs ? &*reading.inputs : nullptr;
     TomlTable root(reading.document, "the case", errors);
@@ -238,8 +246,8 @@ void read_run(RunBeingRead& reading, const RunsInCommon& common, std::shared_ptr
     run.file = table.file ? table.file->generic_string() : "";
     if (file != nullptr) {
         std::ranges::move(columns_of_one_tire(table, *file), std::back_inserter(read.of_one_tire));
-        const MeasuredRun* const beside = read.runs.size() > 1 ? &read.runs[read.runs.size() - 2]->run : nullptr;
-        read_columns(*file, common.has_car(), beside, reading, errors, read.of_data);
+        read_columns(*file, common.has_car(), before != nullptr ? &before->run : nullptr, reading, errors,
+                     read.of_data);
     }
     read_numbers(reading.tables.problem, reading.document, table, errors, run);
     read_frames(table, inputs, reading.tables.cameras, reading.tables.problem, errors, run, read.of_data);

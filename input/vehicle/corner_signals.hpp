@@ -2,6 +2,9 @@
 // The inputs of a tire of a car against time, from the car's log.
 #pragma once
 
+#include <array>
+#include <memory>
+
 #include "input/vehicle/vehicle_motion.hpp"
 #include "physics/vehicle/corner_inputs.hpp"
 
@@ -21,8 +24,19 @@ struct CornerHistory {
     double rolls_over = 0.0;                    ///< share of the time in which the car does
 };
 
-/// Only the tire's axle is computed. @param motion of one log
-[[nodiscard]] CornerHistory corner_history(const physics::Vehicle& vehicle, physics::Corner corner,
-                                           const MotionHistory& motion, const MeasuredWheelHistories& measured = {});
+/// Both tires of an axle, which share its forces: left and right.
+using AxleHistory = std::array<CornerHistory, 2>;
+
+/// @param corner one of the axle's tires, of which `measured` is  @param motion of one log
+[[nodiscard]] AxleHistory axle_history(const physics::Vehicle& vehicle, physics::Corner corner,
+                                       const MotionHistory& motion, const MeasuredWheelHistories& measured);
+
+/// What one tire of a car has found in a log, for the others.
+struct CarMotion {
+    solver::Digest::Value origin{};  ///< `motion_origin` of the log and the car's numbers
+    std::shared_ptr<const MotionHistory> history{};
+    solver::Digest::Value axle_origin{};  ///< of all that the axle follows from
+    std::shared_ptr<const AxleHistory> axle{};
+};
 
 }  // namespace tiretherm::input

@@ -39,13 +39,24 @@ void warn_of_limits(const CornerHistory& corner, const VehicleSettings& settings
     }
 }
 
+/// @param known as another tire of the car has found it; null: nothing  @returns without a history after an error
+CarMotion motion_by(const VehicleSettings& settings, const VehicleLog& log, const CarMotion* known,
+                    InputErrors& errors) {
+    const solver::Digest::Value origin = motion_origin(settings, log);
+    if (known != nullptr && known->origin == origin) {
+        return *known;
+    }
+    std::optional<MotionHistory> found = motion_of(settings, log, errors);
+    return {.origin = origin, .history = found ? std::make_shared<const MotionHistory>(std::move(*found)) : nullptr};
+}
+
 }  // namespace
 
 VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFormula>& law, bool unreadable,
-                          std::shared_ptr<const CarMotion> car, DrivenSignals& signals) {
+                          std::shared_ptr<const CarMotion> known, DrivenSignals& signals) {
     InputErrors& errors = root.errors();
     GivenSignals& given = signals.given;
-    VehicleTable read{.car = std::move(car)};
+    VehicleTable read{.car = std::move(known)};
     const std::optional<VehicleSettings> settings = read_vehicle_settings(root, law);
     if (root.has("vehicle")) {
         given.try_emplace("speed", root.place("vehicle"));  // without it, motion_of says so
@@ -81,14 +92,12 @@ VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFor
     if (!log) {
         return read;
     }
-    if (const auto origin = motion_origin(*settings, *log); read.car == nullptr || read.car->origin != origin) {
-        std::optional<MotionHistory> found = motion_of(*settings, *log, errors);
-        read.car = found ? std::make_shared<const CarMotion>(CarMotion{origin, std::move(*found)}) : nullptr;
-    }
-    if (read.car == nullptr) {
+    CarMotion car = motion_by(*settings, *log, read.car.get(), errors);
+    if (car.history == nullptr) {
+        read.car = nullptr;
         return read;
     }
-    const MotionHistory& motion = read.car->history;
+    const MotionHistory& motion = *car.history;
     read.course_agrees = motion.course_agrees;
     solver::InputSignals& inputs = signals.inputs;
     // A disc cools to the air around it: without that there is no temperature of it.
@@ -96,7 +105,12 @@ VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFor
                           given.try_emplace("brake_temperature", settings->place).second;
     const auto model =
         std::make_shared<VehicleInputModel>(*settings, std::move(*log), inputs, std::move(computed), has_disc);
-    const CornerHistory corner = model->corner(settings->numbers, motion);
+    if (const auto origin = model->axle_origin(); car.axle == nullptr || car.axle_origin != origin) {
+        car.axle_origin = origin;
+        car.axle = std::make_shared<const AxleHistory>(model->axle(settings->numbers, motion));
+    }
+    read.car = std::make_shared<const CarMotion>(car);
+    const CornerHistory& corner = model->own(*car.axle);
     model->put(settings->numbers, motion, corner, inputs);
     const std::span<const double> numbers = settings->numbers.all();
     read.numbers.assign(numbers.begin(), numbers.end());

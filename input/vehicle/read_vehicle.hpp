@@ -24,8 +24,9 @@ struct VehicleTable {
 };
 
 /// @param law of [tire]  @param unreadable whether what the run's file gives is unknown
-/// @param car as another tire of it has found its motion; null: none  @param signals with those of the car, gets the tire's
+/// @param known of the car, as another tire of it has found it; null: nothing  @param signals with those of the car, gets the tire's
 [[nodiscard]] VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFormula>& law,
-                                        bool unreadable, std::shared_ptr<const CarMotion> car, DrivenSignals& signals);
+                                        bool unreadable, std::shared_ptr<const CarMotion> known,
+                                        DrivenSignals& signals);
 
 }  // namespace tiretherm::input

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "input/tire_property_file/tir_keys.hpp"
 #include "input/vehicle/at_times.hpp"
 #include "solver/field_digest.hpp"
 
@@ -52,6 +53,17 @@ solver::Series disc_of(const physics::Brake& brake, const MotionHistory& motion,
     return {.signal = &signal, .time = motion.time, .value = std::move(disc), .logged = true};
 }
 
+/// All of a law: other tires of a car may have another one.
+void add_law(solver::Digest& digest, physics::MagicFormula law) {
+    digest.add(law.version);
+    for (const double number : {law.nominal_load, law.reference_speed, law.friction_degression}) {
+        digest.add(number);
+    }
+    for (const tir::Coefficient& one : tir::coefficients) {
+        digest.add(one.at(law));
+    }
+}
+
 }  // namespace
 
 std::span<const ComputedInput> computed_inputs() {
@@ -76,8 +88,27 @@ VehicleInputModel::VehicleInputModel(VehicleSettings settings, VehicleLog log, c
     measured_.vertical_load = history_of(inputs, *physics::find_signal("vertical_load"));
 }
 
-CornerHistory VehicleInputModel::corner(const VehicleNumbers& numbers, const MotionHistory& motion) const {
-    return corner_history(vehicle_of(numbers, settings_.kind), settings_.corner, motion, measured_);
+AxleHistory VehicleInputModel::axle(const VehicleNumbers& numbers, const MotionHistory& motion) const {
+    return axle_history(vehicle_of(numbers, settings_.kind), settings_.corner, motion, measured_);
+}
+
+const CornerHistory& VehicleInputModel::own(const AxleHistory& axle) const {
+    return axle[physics::is_left(static_cast<std::size_t>(settings_.corner)) ? 0 : 1];
+}
+
+solver::Digest::Value VehicleInputModel::axle_origin() const {
+    solver::Digest digest;
+    const auto corner = static_cast<std::size_t>(settings_.corner);
+    digest.add(physics::axle_of(corner));
+    // A measured load is that of this tire alone.
+    digest.add(measured_.vertical_load.time.empty() ? physics::n_corners : corner);
+    solver::add_fields(digest, settings_.numbers);
+    solver::add_fields(digest, settings_.kind);
+    solver::add_fields(digest, measured_);
+    for (const std::optional<physics::MagicFormula>& law : settings_.kind.laws) {
+        add_law(digest, law.value_or(physics::MagicFormula{}));
+    }
+    return digest.value();
 }
 
 void VehicleInputModel::put(const VehicleNumbers& numbers, const MotionHistory& motion, const CornerHistory& corner,
@@ -95,7 +126,7 @@ void VehicleInputModel::apply(std::span<const double> numbers, solver::InputSign
     VehicleSettings moved = settings_;
     moved.numbers = VehicleNumbers(numbers);
     const MotionHistory motion = motion_again(moved, log_);
-    put(moved.numbers, motion, corner(moved.numbers, motion), into);
+    put(moved.numbers, motion, own(axle(moved.numbers, motion)), into);
 }
 
 std::vector<const physics::Signal*> VehicleInputModel::signals() const {

@@ -30,8 +30,12 @@ public:
     [[nodiscard]] std::vector<const physics::Signal*> signals() const override;
     void add_to(solver::Digest& digest) const override;
 
-    /// This tire of a car with these numbers. @param motion of its log
-    [[nodiscard]] CornerHistory corner(const VehicleNumbers& numbers, const MotionHistory& motion) const;
+    /// This tire and the other one of its axle, of a car with these numbers. @param motion of its log
+    [[nodiscard]] AxleHistory axle(const VehicleNumbers& numbers, const MotionHistory& motion) const;
+    /// A digest of all that the axle follows from beside the motion.
+    [[nodiscard]] solver::Digest::Value axle_origin() const;
+    /// Its side of the axle.
+    [[nodiscard]] const CornerHistory& own(const AxleHistory& axle) const;
     /// Puts what this tire gets in the place of what is there. @param corner of the same numbers and motion
     void put(const VehicleNumbers& numbers, const MotionHistory& motion, const CornerHistory& corner,
              solver::InputSignals& into) const;

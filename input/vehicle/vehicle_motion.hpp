@@ -17,12 +17,6 @@ struct MotionHistory {
     double course_agrees = 0.0;  ///< correlation of its turns with those over ground; 0: these are not known
 };
 
-/// The motion that one tire of a car has found in a log, for the others.
-struct CarMotion {
-    solver::Digest::Value origin{};  ///< `motion_origin` of the log and the car's numbers
-    MotionHistory history{};
-};
-
 /// A digest of all that `motion_of` looks at.
 [[nodiscard]] solver::Digest::Value motion_origin(const VehicleSettings& settings, const VehicleLog& log);
 

@@ -10,29 +10,36 @@ namespace tiretherm::physics {
 
 namespace {
 
-/// Value and integral from the first sample on, at times that never go back by more than was asked before.
+/// Value and integral from the first sample on, at times that mostly ascend: each caller keeps the piece in which its last time
+/// lay, from which the next one is a few steps away.
 class Lines {
 public:
+    using Piece = std::size_t;
+
     Lines(const std::vector<double>& time, const std::vector<double>& value) : time_(time), value_(value) {
         integral_.assign(time.size(), 0.0);
         for (std::size_t i = 1; i < time.size(); ++i) {
             integral_[i] = integral_[i - 1] + 0.5 * (value[i] + value[i - 1]) * (time[i] - time[i - 1]);
         }
     }
-    [[nodiscard]] double value(double t) const {
-        const std::size_t i = piece(t);
+    [[nodiscard]] double value(double t, Piece& i) const {
+        move_to(t, i);
         return value_[i] + slope(i) * (t - time_[i]);
     }
-    [[nodiscard]] double integral(double t) const {
-        const std::size_t i = piece(t);
+    [[nodiscard]] double integral(double t, Piece& i) const {
+        move_to(t, i);
         const double dt = t - time_[i];
         return integral_[i] + dt * (value_[i] + 0.5 * slope(i) * dt);
     }
 
 private:
-    [[nodiscard]] std::size_t piece(double t) const {
-        const auto next = std::upper_bound(time_.begin() + 1, time_.end() - 1, t);
-        return static_cast<std::size_t>(next - time_.begin()) - 1;
+    void move_to(double t, Piece& i) const {
+        while (i + 2 < time_.size() && time_[i + 1] <= t) {
+            ++i;
+        }
+        while (i > 0 && time_[i] > t) {
+            --i;
+        }
     }
     [[nodiscard]] double slope(std::size_t i) const { return (value_[i + 1] - value_[i]) / (time_[i + 1] - time_[i]); }
 
@@ -46,10 +53,12 @@ double to_the_ends(const std::vector<double>& time, double t) { return std::min(
 std::vector<double> mean_once(const std::vector<double>& time, const std::vector<double>& value, double half) {
     const Lines lines(time, value);
     std::vector<double> mean(value);
+    Lines::Piece begin = 0;
+    Lines::Piece end = 0;
     for (std::size_t i = 0; i < time.size(); ++i) {
         const double reach = std::min(half, to_the_ends(time, time[i]));
         if (reach > 0.0) {
-            mean[i] = (lines.integral(time[i] + reach) - lines.integral(time[i] - reach)) / (2.0 * reach);
+            mean[i] = (lines.integral(time[i] + reach, end) - lines.integral(time[i] - reach, begin)) / (2.0 * reach);
         }
     }
     return mean;
@@ -70,13 +79,15 @@ std::vector<double> local_slope(const std::vector<double>& time, const std::vect
         return slope;
     }
     const Lines lines(time, value);
+    Lines::Piece begin = 0;
+    Lines::Piece end = 0;
     for (std::size_t i = 0; i < time.size(); ++i) {
         const std::size_t last = time.size() - 1;
         const double before = time[i == 0 ? 0 : i - 1];
         const double after = time[std::min(i + 1, last)];
         const double from = std::max(time.front(), std::min(before, time[i] - 0.5 * window));
         const double to = std::min(time.back(), std::max(after, time[i] + 0.5 * window));
-        slope[i] = (lines.value(to) - lines.value(from)) / (to - from);
+        slope[i] = (lines.value(to, end) - lines.value(from, begin)) / (to - from);
     }
     return slope;
 }

@@ -46,72 +46,18 @@ double peak_argument(double shape, double curvature) {
 
 }  // namespace
 
-double slip_where(const std::function<double(double)>& force, double value, double low, double high, double tolerance) {
-    double below = force(low) - value;
-    double above = force(high) - value;
-    if (below >= 0.0) {
-        return low;
-    }
-    if (above <= 0.0) {
-        return high;
-    }
-    int side = 0;  // the end that stayed last
-    for (int i = 0; i < 200 && high - low > 1e-15 * (std::abs(low) + std::abs(high)); ++i) {
-        // Every fourth time the middle: a flat side would keep regula falsi waiting.
-        const double at = i % 4 == 3 ? 0.5 * (low + high) : (low * above - high * below) / (above - below);
-        const double now = force(at) - value;
-        if (std::abs(now) <= tolerance) {
-            return at;
-        }
-        if (now < 0.0) {
-            low = at;
-            below = now;
-            above *= side == 1 ? 0.5 : 1.0;
-            side = 1;
-        } else {
-            high = at;
-            above = now;
-            below *= side == -1 ? 0.5 : 1.0;
-            side = -1;
-        }
-    }
-    return 0.5 * (low + high);
-}
-
-SlipCurve SlipCurve::lateral(const VehicleTire& tire, double load, double static_load, double camber) {
-    SlipCurve curve;
-    curve.tire_ = &tire;
-    curve.load_ = load;
-    curve.static_load_ = static_load;
-    curve.camber_ = camber;
+SlipCurve::SlipCurve(const VehicleTire& tire, bool is_lateral, double load, double static_load, double camber)
+    : tire_(&tire), is_lateral_(is_lateral), load_(load), static_load_(static_load), camber_(camber) {
     if (load <= 0.0) {
-        return curve;
+        return;
     }
-    if (tire.magic_formula && tire.magic_formula->cornering_stiffness(load, camber) < 0.0) {
-        curve.sense_ = -1.0;
+    if (is_lateral && tire.magic_formula && tire.magic_formula->cornering_stiffness(load, camber) < 0.0) {
+        sense_ = -1.0;
     }
-    curve.first_ = curve.peak_slip(-1.0);
-    curve.last_ = curve.peak_slip(1.0);
-    curve.lowest_ = curve.of_law(curve.first_);
-    curve.highest_ = curve.of_law(curve.last_);
-    return curve;
-}
-
-SlipCurve SlipCurve::longitudinal(const VehicleTire& tire, double load, double static_load, double camber) {
-    SlipCurve curve;
-    curve.tire_ = &tire;
-    curve.is_lateral_ = false;
-    curve.load_ = load;
-    curve.static_load_ = static_load;
-    curve.camber_ = camber;
-    if (load <= 0.0) {
-        return curve;
-    }
-    curve.first_ = curve.peak_slip(-1.0);
-    curve.last_ = curve.peak_slip(1.0);
-    curve.lowest_ = curve.of_law(curve.first_);
-    curve.highest_ = curve.of_law(curve.last_);
-    return curve;
+    first_ = peak_slip(-1.0);
+    last_ = peak_slip(1.0);
+    lowest_ = of_law(first_);
+    highest_ = of_law(last_);
 }
 
 double SlipCurve::of_law(double slip) const {

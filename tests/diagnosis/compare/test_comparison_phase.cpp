@@ -15,6 +15,10 @@ namespace {
 
 using physics::find_signal;
 
+Phase phase_at(const solver::Problem& problem, double time, bool of_car = false) {
+    return diagnosis::phase_at(problem, time, problem.input_signals.at(time, solver::JumpSide::after), of_car);
+}
+
 /// 100 s at 20 m/s, to rest at 0.2 m/s2 by 200 s (0.02 g), at rest until 300 s.
 solver::Problem coasting() {
     solver::Problem problem;

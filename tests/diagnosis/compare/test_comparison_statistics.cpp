@@ -162,7 +162,8 @@ TEST(ModelUncertainty, RecoversAFactorThroughTheNoiseOfTheSensor) {
 
 TEST(ComparisonBins, AreFifthsOfTheSamples) {
     // Ten samples, regressor 0 ... 9 in some order, difference = twice the regressor: means 1, 5, 9, 13, 17.
-    const std::vector<Bin> found = bins({{9, 0, 4, 5, 1}, {2, 3, 8, 7, 6}}, {{18, 0, 8, 10, 2}, {4, 6, 16, 14, 12}});
+    const std::vector<Bin> found =
+        bins({{9, 0, 4, 5, 1}, {2, 3, 8, 7, 6}}, {{18, 0, 8, 10, 2}, {4, 6, 16, 14, 12}}, 1.0);
     ASSERT_EQ(found.size(), 5u);
     for (std::size_t k = 0; k < 5; ++k) {
         const auto x = static_cast<double>(k);
@@ -175,7 +176,7 @@ TEST(ComparisonBins, AreFifthsOfTheSamples) {
 
 TEST(ComparisonBins, EqualValuesShareOne) {
     // Eight of ten at 0: fifths 1 to 4 are one bin of eight, the last holds 1 and 2.
-    const std::vector<Bin> found = bins({{0, 0, 0, 0, 0, 0, 0, 0, 1, 2}}, {{1, 1, 1, 1, 1, 1, 1, 1, 4, 6}});
+    const std::vector<Bin> found = bins({{0, 0, 0, 0, 0, 0, 0, 0, 1, 2}}, {{1, 1, 1, 1, 1, 1, 1, 1, 4, 6}}, 1.0);
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].samples, 8u);
     EXPECT_EQ(found[0].mean, 1.0);

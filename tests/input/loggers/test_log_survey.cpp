@@ -55,6 +55,22 @@ TEST(LogSurvey, SaysWhatIsInAnAimFile) {
     EXPECT_NEAR(*tread.high, 83.402, 5e-4);
 }
 
+// 40 to 59 degC and 100 to 119 degC at 0 to 19 s; before the sensors answer, and at 7 s, the logger writes 9999 or 65535.
+TEST(LogSurvey, RangesAreThoseOfTheValuesThatAreUsed) {
+    std::string log = "time [s],speed [km/h],surface_temperature [degC],Oil Temp [degC]\n";
+    for (int i = 0; i < 20; ++i) {
+        log += fmt::format("{0},{1},{2},{3}\n", i, 80 + i, i < 2 || i == 7 ? 9999 : 40 + i, i < 3 ? 65535 : 100 + i);
+    }
+    const LogSurvey found = survey("log.csv", log);
+    EXPECT_EQ(*column(found, "surface_temperature").low, 42.0);
+    EXPECT_EQ(*column(found, "surface_temperature").high, 59.0);
+    EXPECT_EQ(column(found, "surface_temperature").samples, 17U);
+    EXPECT_EQ(*column(found, "Oil Temp").high, 119.0);
+    EXPECT_TRUE(doubts(found, "surface_temperature is 9999 degC in 3 of 20 samples, which no sensor of it reads"));
+    EXPECT_TRUE(doubts(found, "Oil Temp is 65535 degC in 3 of 20 samples, which no sensor of it reads: left out"));
+    EXPECT_FALSE(doubts(found, "10000 degC")) << "what is left out is doubted once";
+}
+
 // Two lines a minute under a clock without seconds; the second half of a file that is cut off.
 TEST(LogSurvey, SaysWhatWasDecidedWhileReading) {
     const LogSurvey found = survey("log.csv",
