@@ -42,6 +42,7 @@ struct Choice {
     std::string_view key;
     std::span<const std::string_view> options;  ///< the first is the standard one
     std::string_view meaning;
+    std::span<const std::string_view> reads{};  ///< signals that all but the first need, and with them a tire
 };
 
 /// A table of an effect that replaces one of its weights.

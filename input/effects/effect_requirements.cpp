@@ -13,7 +13,6 @@
 #include "input/text/quantity_specs.hpp"
 #include "input/text/word_lists.hpp"
 #include "physics/contact/travelling.hpp"
-#include "physics/tire_laws/disk_film.hpp"
 #include "solver/quantity_inputs.hpp"
 #include "solver/system.hpp"
 
@@ -24,13 +23,21 @@ namespace {
 using physics::ActiveEffect;
 using physics::Effect;
 
-/// Whether a choice of the effect needs what the effect itself does not: a turning tire.
-bool turns(const ActiveEffect& active) { return physics::disk_film::is_chosen(active); }
+/// The word of the effect that needs what the effect itself does not, a tire and its signals; null where there is none.
+const physics::Choice* choice_that_needs_more(const ActiveEffect& active) {
+    const auto choices = active.effect->choices;
+    const auto found = std::ranges::find_if(choices, [&](const physics::Choice& choice) {
+        return !choice.reads.empty() && active.choices[static_cast<std::size_t>(&choice - choices.data())] > 0;
+    });
+    return found == choices.end() ? nullptr : &*found;
+}
 
 bool needs(const ActiveEffect& active, std::string_view signal) {
-    const auto reads = active.effect->reads;
-    return std::ranges::find(reads, signal) != reads.end() ||
-           (turns(active) && std::ranges::find(physics::disk_film::reads, signal) != physics::disk_film::reads.end());
+    const auto has = [&](std::span<const std::string_view> list) {
+        return std::ranges::find(list, signal) != list.end();
+    };
+    const physics::Choice* more = choice_that_needs_more(active);
+    return has(active.effect->reads) || (more != nullptr && has(more->reads));
 }
 
 bool uses(const Effect& effect, std::string_view signal) {
@@ -93,10 +100,13 @@ void check_requirements(TomlTable& root, const ActiveEffect& active, const Sourc
     const Effect& effect = *active.effect;
     const bool has_mesh = mesh.n_nodes > 0;
     const std::string off = fmt::format("or switch it off: [effects.{}] on = false", effect.id);
-    if (!effect.needs_tire && turns(active) && !has_tire) {
-        root.errors().add(place, fmt::format("the rotating disk of {} needs a tire", effect.id),
-                          fmt::format("add [tire], or write {} = \"{}\"", physics::disk_film::key,
-                                      physics::disk_film::films.front()));
+    const physics::Choice* more = choice_that_needs_more(active);
+    if (!effect.needs_tire && more != nullptr && !has_tire) {
+        const int word = active.choices[static_cast<std::size_t>(more - effect.choices.data())];
+        root.errors().add(place,
+                          fmt::format("{} of {} = \"{}\" needs a tire", effect.id, more->key,
+                                      more->options[static_cast<std::size_t>(word)]),
+                          fmt::format("add [tire], or write {} = \"{}\"", more->key, more->options.front()));
         return;
     }
     if (effect.needs_tire && !has_tire) {
@@ -177,7 +187,8 @@ void check_signals(TomlTable& root, const EffectSurroundings& in, const solver::
     for (const physics::Signal& signal : physics::signals()) {
         std::vector<std::string> needing;
         for (const ActiveEffect& active : problem.effects) {
-            const bool can_act = in.has_tire || !(active.effect->needs_tire || turns(active));
+            const bool can_act =
+                in.has_tire || !(active.effect->needs_tire || choice_that_needs_more(active) != nullptr);
             if (can_act && needs(active, signal.name)) {
                 needing.emplace_back(active.effect->id);
             }

@@ -37,8 +37,9 @@ constexpr std::array plausible{
     PlausibleRange{"disk_scale", 0.5, 2.0, "half behind a closed wheel house to twice in the travel wind; assumed",
                    "no rim is that far from a rotating disk"},
 };
-constexpr std::array choices{
-    Choice{disk_film::key, disk_film::films, "cooling at every speed, or the film of a rotating disk on area"}};
+constexpr std::array choices{Choice{disk_film::key, disk_film::films,
+                                    "cooling at every speed, or the film of a rotating disk on area",
+                                    disk_film::reads}};
 constexpr std::array<std::string_view, 1> reads{"air_temperature"};
 constexpr std::array<std::string_view, 2> patches{"beads", "inside"};
 
