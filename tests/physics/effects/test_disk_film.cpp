@@ -21,7 +21,7 @@ Part disk(std::string_view id, std::vector<std::pair<std::string_view, double>> 
     return {.id = id, .numbers = std::move(numbers), .choices = {{"film", 1}}};
 }
 
-Inputs at_speed(double kmh) {
+Inputs disk_at_speed(double kmh) {
     Inputs in = rolling();
     in.speed = kmh / 3.6;
     return in;
@@ -32,7 +32,7 @@ Inputs at_speed(double kmh) {
 TEST(SidewallDisk, HasNaturalConvectionAtRest) {
     // h = 1.42 (32/0.6616)^0.25 = 3.74479 W/m2K; -32 * 0.388136 * 3.74479 = -46.512 W.
     Whole whole(two_nodes(), {disk("sidewall_convection")});
-    EXPECT_NEAR(whole.ask(at_speed(0.0)).watts("sidewall_convection"), -46.512, 1e-3);
+    EXPECT_NEAR(whole.ask(disk_at_speed(0.0)).watts("sidewall_convection"), -46.512, 1e-3);
     EXPECT_NEAR(whole.flow(1), -46.512, 1e-3);
     EXPECT_EQ(whole.flow(0), 0.0);
 }
@@ -41,8 +41,8 @@ TEST(SidewallDisk, IsLaminarAtWalkingPace) {
     // 10 km/h: w = 8.59335 rad/s, w/nu = 553 380: Re = 60 556 at R0. 0.36 * 0.0260128 * 743.895 = 6.96630 W/m2K; the film:
     // times 1.054027^-0.04 = 0.997897, 6.95165; -32 * 0.388136 * 6.95165 = -86.342 W. Either way round.
     Whole whole(two_nodes(), {disk("sidewall_convection")});
-    EXPECT_NEAR(whole.ask(at_speed(10.0)).watts("sidewall_convection"), -86.342, 1e-3);
-    EXPECT_NEAR(whole.ask(at_speed(-10.0)).watts("sidewall_convection"), -86.342, 1e-3);
+    EXPECT_NEAR(whole.ask(disk_at_speed(10.0)).watts("sidewall_convection"), -86.342, 1e-3);
+    EXPECT_NEAR(whole.ask(disk_at_speed(-10.0)).watts("sidewall_convection"), -86.342, 1e-3);
 }
 
 TEST(SidewallDisk, IsTurbulentOnTheMotorway) {
@@ -50,7 +50,7 @@ TEST(SidewallDisk, IsTurbulentOnTheMotorway) {
     // 173.986; times 2/2.6 (0.3308^2.6 - 0.2183^2.6)/(0.3308^2 - 0.2183^2) = 0.463536: 80.6487 W/m2K; the film: times
     // 1.054027^-0.574 = 0.970249, 78.2493; -32 * 0.388136 * 78.2493 = -971.88 W.
     Whole whole(two_nodes(), {disk("sidewall_convection")});
-    EXPECT_NEAR(whole.ask(at_speed(150.0)).watts("sidewall_convection"), -971.88, 1e-2);
+    EXPECT_NEAR(whole.ask(disk_at_speed(150.0)).watts("sidewall_convection"), -971.88, 1e-2);
 }
 
 TEST(SidewallDisk, DoesNotCountTheConstants) {
@@ -68,7 +68,7 @@ TEST(SidewallDisk, HasNoJumpWithTheSpeed) {
     Whole whole(two_nodes(), {disk("sidewall_convection")});
     double before = 0.0;
     for (double speed = 0.11; speed < 60.0; speed *= 1.003) {
-        const double watts = whole.ask(at_speed(3.6 * speed)).watts("sidewall_convection");
+        const double watts = whole.ask(disk_at_speed(3.6 * speed)).watts("sidewall_convection");
         if (before != 0.0) {
             ASSERT_GE(watts / before, 1.0 - 1e-12) << speed;
             ASSERT_LE(watts / before, 1.0082) << speed;
@@ -83,7 +83,7 @@ TEST(SidewallDisk, CoolsThePatchWhereThereAreSidewalls) {
     // 1.016883^-0.574 = 0.990436, 66.8184 on the area of the patch.
     const Bench bench = section();
     Whole whole(bench, {disk("sidewall_convection")});
-    whole.ask(at_speed(120.0), std::vector<double>(bench.T.size(), 306.15));
+    whole.ask(disk_at_speed(120.0), std::vector<double>(bench.T.size(), 306.15));
     const mesh::Patch& walls = bench.mesh.patches[static_cast<std::size_t>(bench.mesh.find_patch("sidewalls"))];
     double given = 0.0;
     for (const mesh::PatchFace& face : walls.faces) {
@@ -110,7 +110,7 @@ TEST(SidewallDisk, LeavesTheFloorToNaturalConvectionOnTheSamePatch) {
         }
         const solver::System system(problem);
         std::vector<double> coefficients(system.n_coefficients());
-        system.evaluate_coefficients(at_speed(kmh), coefficients);
+        system.evaluate_coefficients(disk_at_speed(kmh), coefficients);
         solver::System evaluated(problem);
         evaluated.evaluate(bench.T, coefficients);
         return evaluated.terms().watts.front();
@@ -134,7 +134,7 @@ TEST(RimDisk, IsCooledAsADiskFromTheAxisOn) {
     EXPECT_NEAR(whole.flow(whole.node("rim")), -85.698, 1e-3);
     EXPECT_NEAR(whole.flow(1), 0.0, 1e-12);
     // At rest 1.42 (7/0.4366)^0.25 = 2.84146 W/m2K on 0.5 m2: -9.9451 W.
-    whole.ask(at_speed(0.0), {303.15, 303.15, 303.15});
+    whole.ask(disk_at_speed(0.0), {303.15, 303.15, 303.15});
     EXPECT_NEAR(whole.flow(whole.node("rim")), -9.9451, 1e-4);
 }
 
@@ -151,12 +151,12 @@ TEST(DiskFilm, GivesTheDerivativesOfItsHeat) {
                 for (double& t : moved) {
                     t += shift;  // the same everywhere: nothing flows between nodes that did not before
                 }
-                const std::span<const double> q = whole.ask(at_speed(kmh), moved).system().heat_flow();
+                const std::span<const double> q = whole.ask(disk_at_speed(kmh), moved).system().heat_flow();
                 return std::vector<double>(q.begin(), q.end());
             };
             const std::vector<double> up = flow(1e-3);
             const std::vector<double> down = flow(-1e-3);
-            const Terms& terms = whole.ask(at_speed(kmh), T).system().terms();
+            const Terms& terms = whole.ask(disk_at_speed(kmh), T).system().terms();
             for (std::size_t i = 0; i < T.size(); ++i) {
                 const double slope = terms.node_slope[i] - terms.node_G[i];
                 EXPECT_NEAR((up[i] - down[i]) / 2e-3, slope, 1e-7 + 1e-7 * std::abs(slope)) << i << " at " << kmh;
