@@ -218,7 +218,7 @@ TEST(New, WrongCallsSayWhatToWrite) {
     EXPECT_NE(refused("").find("SIZE|LOG is required"), std::string::npos);
     EXPECT_NE(refused("'225/50 R17' --specimen").find("a specimen has no size"), std::string::npos);
     EXPECT_NE(refused("'225/50 R17' --test un_r30").find("needs the load index"), std::string::npos);
-    EXPECT_NE(refused("drive.csv --test un_r30").find("--test speaks of a tire"), std::string::npos);
+    EXPECT_NE(refused("drive.csv --test un_r30").find("--test needs a tire"), std::string::npos);
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
 }
 
