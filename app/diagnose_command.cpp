@@ -66,6 +66,65 @@ std::optional<input::Experiment> on_layers(const MeasuredCall& call, const input
     return diagnosis::with_free_conductivity(diagnosis::with_fine_steps(std::move(*reading.experiment)));
 }
 
+/// The case on other meshes, on which a diagnosis sees what its own cannot tell.
+class OtherMeshes {
+public:
+    OtherMeshes(const DiagnoseOptions& call, const diagnosis::Thinned& thinned) {
+        const input::Experiment& experiment = thinned.experiment;
+        const solver::Problem& problem = experiment.runs.front().problem;
+        // A grid has an error of its own, which a finer one shows; lumps are what they are.
+        if (!problem.mesh.is_lumped()) {
+            finer_ = refined(call, thinned, 2);
+        }
+        if (finer_ && problem.mesh.n_nodes <= few_nodes) {
+            much_finer_ = refined(call, thinned, times);
+        }
+        if (much_finer_) {
+            much_finer_ = diagnosis::with_fine_steps(std::move(*much_finer_));
+        }
+        thickness_ = input::thickness_as_layers(problem);
+        if (thickness_ && (layers_ = on_layers(call, experiment, *thickness_))) {
+            take_values(thinned, *layers_);
+        }
+    }
+
+    /// @returns options that point into this
+    [[nodiscard]] diagnosis::DiagnosisOptions options() const {
+        diagnosis::DiagnosisOptions options{.finer = finer_ ? &*finer_ : nullptr};
+        if (much_finer_) {
+            options.much_finer.push_back({.name = fmt::format("{} times as many cells", times),
+                                          .experiment = &*much_finer_,
+                                          .change = {.finer = times}});
+        }
+        if (layers_) {
+            options.richer.push_back({.name = "layers", .experiment = &*layers_, .change = {.layers = *thickness_}});
+        }
+        return options;
+    }
+
+private:
+    static constexpr int times = 4;
+    static constexpr int few_nodes = 60;  // four times as many cells of such a mesh are still quick
+
+    static std::optional<input::Experiment> refined(const DiagnoseOptions& call, const diagnosis::Thinned& thinned,
+                                                    int finer) {
+        std::optional<input::Experiment> read =
+            input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.finer = finer})
+                .experiment;
+        if (read) {
+            std::vector<std::string> same;  // remarks that the case's own mesh has already
+            read = diagnosis::in_rings(std::move(*read), same);
+            take_values(thinned, *read);
+        }
+        return read;
+    }
+
+    std::optional<input::Experiment> finer_;
+    std::optional<input::Experiment> much_finer_;
+    std::optional<input::Experiment> layers_;
+    std::optional<double> thickness_;  ///< m, of the layers
+};
+
 int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
     solver::install_stop_handlers();
     if (call.time_limit > 0.0) {
@@ -94,43 +153,8 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
     const diagnosis::Thinned thinned = diagnosis::thinned(diagnosis::in_rings(*reading->experiment, remarks));
     const input::Experiment& experiment = thinned.experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
-    // A grid has an error of its own, which a finer one shows; lumps are what they are.
-    std::optional<input::Experiment> finer;
-    if (!experiment.runs.front().problem.mesh.is_lumped()) {
-        finer = input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.finer = 2})
-                    .experiment;
-        if (finer) {
-            std::vector<std::string> same;
-            finer = diagnosis::in_rings(std::move(*finer), same);
-            take_values(thinned, *finer);
-        }
-    }
-    diagnosis::DiagnosisOptions options{.finer = finer ? &*finer : nullptr};
-    std::optional<input::Experiment> much_finer;
-    constexpr int times = 4;
-    const mesh::Mesh& mesh = experiment.runs.front().problem.mesh;
-    constexpr int few_nodes = 60;
-    if (finer && mesh.n_nodes <= few_nodes) {
-        much_finer =
-            input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.finer = times})
-                .experiment;
-        if (much_finer) {
-            std::vector<std::string> same;
-            much_finer = diagnosis::with_fine_steps(diagnosis::in_rings(std::move(*much_finer), same));
-            take_values(thinned, *much_finer);
-            options.much_finer.push_back({.name = fmt::format("{} times as many cells", times),
-                                          .experiment = &*much_finer,
-                                          .change = {.finer = times}});
-        }
-    }
-    std::optional<input::Experiment> layers;
-    if (const auto thickness = input::thickness_as_layers(experiment.runs.front().problem)) {
-        layers = on_layers(call, experiment, *thickness);
-        if (layers) {
-            take_values(thinned, *layers);
-            options.richer.push_back({.name = "layers", .experiment = &*layers, .change = {.layers = *thickness}});
-        }
-    }
+    const OtherMeshes meshes(call, thinned);
+    diagnosis::DiagnosisOptions options = meshes.options();
     SimulationCount count(call.quiet);
     options.progress = count.stages();
     const diagnosis::Diagnosis result = diagnosis::diagnose(experiment, observations, options);

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -71,18 +72,68 @@ void report_part(const diagnosis::StudyPart& part, const diagnosis::StudyResults
 }
 
 /// The failure that a call ends with whose runs did not all come to an end.
-int report_failed(const std::vector<std::size_t>& failed, std::size_t runs, const std::string& first,
+/// @param outcomes [n_runs], of which those of the part are looked at  @param runs of the part
+int report_failed(std::span<const diagnosis::StudyOutcome> outcomes, const diagnosis::StudyPart& part, std::size_t runs,
                   const std::filesystem::path& directory, bool json) {
+    std::vector<std::size_t> failed;
+    for (std::size_t run = 0; run < outcomes.size(); ++run) {
+        if (part.has(run) && !outcomes[run].ok()) {
+            failed.push_back(run);
+        }
+    }
     if (failed.empty()) {
         return Exit::done;
     }
     if (!json) {
         std::fflush(stdout);
         report_error(fmt::format("{} of {} runs failed, the first is run {}: {}", failed.size(), runs,
-                                 failed.front() + 1, first),
+                                 failed.front() + 1, outcomes[failed.front()].failure),
                      "the others are in " + directory.string(), false);
     }
     return Exit::numerical_failure;
+}
+
+/// Puts the runs of all parts into the journal. @returns false after a report where they do not fit together
+bool merges(const input::Study& study, const std::filesystem::path& whole, post::StudyJournal& journal, bool json) {
+    try {
+        const std::vector<std::string> problems = merge_parts(study, whole, build_identity(), journal);
+        for (std::size_t i = 0; i + 1 < problems.size() && !json; ++i) {
+            report_error(problems[i], "", false);
+        }
+        if (!problems.empty()) {
+            report_error(json ? fmt::format("{}", fmt::join(problems, "; ")) : problems.back(),
+                         "nothing was written; what the parts have is kept", json);
+        }
+        return problems.empty();
+    } catch (const std::runtime_error& error) {
+        report_error(error.what(), "nothing was merged; call again when it has ended", json);
+        return false;
+    }
+}
+
+/// Adds what the runs themselves give reason to warn of; writes the files and prints the page.
+/// @param kept a sentence on what a call that failed leaves  @returns false after a report where a file cannot be written
+bool write_page(diagnosis::StudyRecord& record, post::StudyCall call, post::StudyFiles& files,
+                const post::OutputFolder& folder, const std::string& kept, const StudyOptions& options) {
+    std::ranges::move(record.left_ranges(), std::back_inserter(record.warnings));
+    for (const std::string& key : record.without_effect()) {
+        record.warnings.push_back(fmt::format("\"{}\" changed nothing: no effect that is on looks at it", key));
+    }
+    post::Report page;
+    try {
+        files.write(record, [&](const std::vector<std::filesystem::path>& named) {
+            call.files = named;
+            page = post::study_report(record, call);
+            return page;
+        });
+    } catch (const std::runtime_error& error) {
+        report_error(folder.in_place(error.what()), kept, options.json);
+        return false;
+    }
+    if (options.json || !options.quiet) {
+        print_report(page, options.json);
+    }
+    return true;
 }
 
 int study(const StudyOptions& options) {
@@ -117,21 +168,8 @@ int study(const StudyOptions& options) {
         return Exit::input_error;
     }
     const std::size_t runs = part.size(study.runs.size());
-    if (options.merge) {
-        try {
-            const std::vector<std::string> problems = merge_parts(study, whole, build_identity(), *journal);
-            for (std::size_t i = 0; i + 1 < problems.size() && !options.json; ++i) {
-                report_error(problems[i], "", false);
-            }
-            if (!problems.empty()) {
-                report_error(options.json ? fmt::format("{}", fmt::join(problems, "; ")) : problems.back(),
-                             "nothing was written; what the parts have is kept", options.json);
-                return Exit::input_error;
-            }
-        } catch (const std::runtime_error& error) {
-            report_error(error.what(), "nothing was merged; call again when it has ended", options.json);
-            return Exit::input_error;
-        }
+    if (options.merge && !merges(study, whole, *journal, options.json)) {
+        return Exit::input_error;
     }
     now_doing(fmt::format("making the runs of {} and writing to {}", options.study_file, directory.string()));
     const Clock::time_point begin = Clock::now();
@@ -156,46 +194,22 @@ int study(const StudyOptions& options) {
         return Exit::interrupted;
     }
     if (!options.part.empty()) {
-        std::vector<std::size_t> failed;
-        for (std::size_t run = 0; run < study.runs.size(); ++run) {
-            if (part.has(run) && !results.outcomes[run].ok()) {
-                failed.push_back(run);
-            }
-        }
         report_part(part, results, runs, options);
-        return report_failed(failed, runs, failed.empty() ? "" : results.outcomes[failed.front()].failure, directory,
-                             options.json);
+        return report_failed(results.outcomes, part, runs, directory, options.json);
     }
-    post::StudyCall call{.kept = results.kept,
-                         .outdated = journal->outdated(),
-                         .damaged = journal->damaged(),
-                         .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
-                         .run_seconds = results.run_seconds,
-                         .threads = post::threads_used(options.threads, study.runs.size() - results.kept),
-                         .files = {}};
+    const post::StudyCall call{.kept = results.kept,
+                               .outdated = journal->outdated(),
+                               .damaged = journal->damaged(),
+                               .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
+                               .run_seconds = results.run_seconds,
+                               .threads = post::threads_used(options.threads, study.runs.size() - results.kept),
+                               .files = {}};
     diagnosis::StudyRecord record = post::study_record(study, std::move(results.outcomes));
     record.warnings = std::move(reading.warnings);
-    std::ranges::move(record.left_ranges(), std::back_inserter(record.warnings));
-    for (const std::string& key : record.without_effect()) {
-        record.warnings.push_back(fmt::format("\"{}\" changed nothing: no effect that is on looks at it", key));
-    }
-    post::Report page;
-    try {
-        files->write(record, [&](const std::vector<std::filesystem::path>& named) {
-            call.files = named;
-            page = post::study_report(record, call);
-            return page;
-        });
-    } catch (const std::runtime_error& error) {
-        report_error(folder->in_place(error.what()), kept, options.json);
+    if (!write_page(record, call, *files, *folder, kept, options)) {
         return Exit::input_error;
     }
-    if (options.json || !options.quiet) {
-        print_report(page, options.json);
-    }
-    const std::vector<std::size_t> failed = record.failed();
-    return report_failed(failed, runs, failed.empty() ? "" : record.outcomes[failed.front()].failure, directory,
-                         options.json);
+    return report_failed(record.outcomes, part, runs, directory, options.json);
 }
 
 /// Each rank makes a part, in one thread unless another number is asked for; the first puts them together.
