@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads the journals of part_K_of_N; runs that no part has are told by the part that should have made them.
 
-#include "app/study_merge.hpp"
+#include "app/commands/study_merge.hpp"
 
 #include <algorithm>
 #include <map>

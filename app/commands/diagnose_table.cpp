@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads a table of measured numbers, diagnoses one model by it and writes diagnosis.json and the page.
 
-#include "app/diagnose_table.hpp"
+#include "app/commands/diagnose_table.hpp"
 
 #include <algorithm>
 #include <chrono>

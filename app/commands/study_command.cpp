@@ -20,11 +20,11 @@
 
 #include "app/build_identity.hpp"
 #include "app/commands.hpp"
+#include "app/commands/study_merge.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/mpi_ranks.hpp"
 #include "app/output.hpp"
-#include "app/study_merge.hpp"
 #include "diagnosis/study/study_runs.hpp"
 #include "input/runs/runs.hpp"
 #include "input/studies/study.hpp"

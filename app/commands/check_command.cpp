@@ -13,9 +13,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/check_log.hpp"
-#include "app/check_study.hpp"
 #include "app/commands.hpp"
+#include "app/commands/check_log.hpp"
+#include "app/commands/check_study.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "input/log_survey/log_survey.hpp"

@@ -14,7 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "app/diagnose_table.hpp"
+#include "app/commands/diagnose_table.hpp"
 #include "app/failure.hpp"
 #include "app/measured_call.hpp"
 #include "app/messages.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The survey of a logger's file as a report.
 
-#include "app/check_log.hpp"
+#include "app/commands/check_log.hpp"
 
 #include <algorithm>
 #include <string>

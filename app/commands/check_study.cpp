@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tells a study from a case by its keys, and prints what it varies.
 
-#include "app/check_study.hpp"
+#include "app/commands/check_study.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
