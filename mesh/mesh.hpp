@@ -137,6 +137,10 @@ struct Mesh {
 
     /// Whether the cells are lumps: there is no place within them, and they have no surface of their own.
     [[nodiscard]] bool is_lumped() const { return !grid && columns.empty(); }
+    /// Whether the cells are those of a tire's section, of one sector or of the sectors of a ring.
+    [[nodiscard]] bool is_section() const { return !columns.empty(); }
+    [[nodiscard]] bool is_ring() const { return sectors > 1; }
+    [[nodiscard]] bool is_axisymmetric() const { return grid && grid->metric == Metric::axisymmetric; }
 
     [[nodiscard]] int find_patch(std::string_view name) const;        ///< -1 when absent
     [[nodiscard]] int find_region(std::string_view name) const;       ///< -1 when absent

@@ -30,7 +30,7 @@ std::optional<double> middle_of(const mesh::Mesh& mesh, std::string_view name) {
 }  // namespace
 
 double along_meridian(const mesh::Mesh& mesh, int node) {
-    return mesh.columns.empty() ? 0.0 : mesh.centre[static_cast<std::size_t>(node)][0];
+    return mesh.is_section() ? mesh.centre[static_cast<std::size_t>(node)][0] : 0.0;
 }
 
 double towards_outside(const mesh::Mesh& mesh, int node) {
@@ -73,7 +73,7 @@ void spread_over_patches(const PlacementContext& context, ActiveEffect& active, 
     for (const int patch : active.patches) {
         for (const mesh::PatchFace& face : context.mesh.patches[static_cast<std::size_t>(patch)].faces) {
             double weight = face.area;
-            if (profile && !context.mesh.columns.empty()) {
+            if (profile && context.mesh.is_section()) {
                 weight *= profile->value(along_meridian(context.mesh, face.cell));
             }
             active.nodes.push_back(face.node);

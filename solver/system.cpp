@@ -326,10 +326,10 @@ std::string describe_node(const mesh::Mesh& mesh, int node) {
         return fmt::format("the {} node", layer);
     }
     const std::string what = node < mesh.n_cells ? fmt::format("cell {}", node) : "the surface";
-    if (!mesh.columns.empty()) {
+    if (mesh.is_section()) {
         return fmt::format("{} of layer {} in the {}, {:.1f} mm along the meridian{}, {:.2f} mm deep", what, layer,
                            mesh.zones[at(mesh.zone[at(node)])], 1e3 * x,
-                           mesh.sectors > 1 ? fmt::format(", {:.1f} mm around", 1e3 * y) : "", 1e3 * z);
+                           mesh.is_ring() ? fmt::format(", {:.1f} mm around", 1e3 * y) : "", 1e3 * z);
     }
     if (mesh.stack) {
         return fmt::format("{} of layer {}, {:.2f} mm deep", what, layer, 1e3 * z);

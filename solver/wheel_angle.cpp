@@ -37,7 +37,7 @@ public:
                 const auto [time, where] = next(t, angle, knot);
                 t = time;
                 angle = where;
-                if (t < knot && problem_.mesh.sectors == 1) {
+                if (t < knot && !problem_.mesh.is_ring()) {
                     const bool backwards = physics::rolling_speed(at(t, JumpSide::before)) < 0.0;
                     const double before = backwards ? position_tolerance : -position_tolerance;
                     add(t, angle + before);

@@ -148,14 +148,14 @@ public:
                              "take layers or section");
             return;
         }
-        if (mesh.sectors > 1) {
+        if (mesh.is_ring()) {
             table_.add_error("field", "a field goes onto a section, not onto a ring", "remove sectors from [mesh]");
             return;
         }
         const SourceLocation mentioned = table_.place("field");
         const std::optional<FieldFile> file =
             read_field_file(errors_.beside(mentioned, *name), mentioned, active_.effect->field(), by_watts,
-                            !mesh.columns.empty(), errors_);
+                            mesh.is_section(), errors_);
         if (file && fits(*file, *name) && errors_.count() == before) {
             take(*file, by_watts, *name);
         }

@@ -101,7 +101,7 @@ void read_travelling(TomlTable& root, bool has_tire, solver::Problem& problem) {
             errors.add(mention->place, fmt::format("{} has a field, which does not go round the tire", id),
                        "remove the field, or spread the heat evenly");
         }
-        if (problem.mesh.sectors > 1) {
+        if (problem.mesh.is_ring()) {
             active.effect = &physics::in_frames(*active.effect);
         }
     }

@@ -138,7 +138,7 @@ void check_cord_rubber(const CordRubberPly& ply, const std::string& name, const 
                    "plies in pairs at +-angle cancel it: take an even number of plies; or a mesh that is even around "
                    "the circumference");
     }
-    const bool is_disc = mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric;
+    const bool is_disc = mesh.is_axisymmetric();
     if (is_disc && (ply.is_unbalanced() || std::abs(std::cos(2.0 * ply.angle)) > 1e-9)) {
         errors.add(
             ply.place,

@@ -21,7 +21,7 @@ namespace {
 enum class Plan { lumps, strip, section, disc, block };
 
 Plan plan_of(const mesh::Mesh& mesh) {
-    if (!mesh.columns.empty()) {
+    if (mesh.is_section()) {
         return Plan::section;
     }
     if (!mesh.grid) {
@@ -37,7 +37,7 @@ std::string millimetres(double metres) { return fmt::format("{:.6g} mm", metres 
 
 /// The extent of the mesh in words, for a point that lies outside.
 std::string extent(const mesh::Mesh& mesh) {
-    if (!mesh.columns.empty()) {
+    if (mesh.is_section()) {
         const auto [thin, thick] = std::minmax_element(
             mesh.columns.begin(), mesh.columns.end(),
             [](const mesh::Column& a, const mesh::Column& b) { return a.edge.back() < b.edge.back(); });

@@ -152,13 +152,13 @@ std::vector<solver::Channel> read_places(TomlTable& sensor, std::string_view kin
 /// On a ring a sensor reads the mean around the circumference, or one place of the turning rubber.
 void read_angle(TomlTable& sensor, const mesh::Mesh& mesh, std::vector<solver::Channel>& found) {
     const std::optional<double> angle = sensor.quantity("angle");
-    if (angle && mesh.sectors == 1) {
+    if (angle && !mesh.is_ring()) {
         sensor.add_error("angle", "only a ring has places around the circumference",
                          "remove angle, or give [mesh] sectors");
     }
     for (solver::Channel& channel : found) {
         const bool of_place = angle && channel.quantity == solver::Quantity::temperature;
-        if (mesh.sectors > 1 && !channel.where.nodes.empty()) {
+        if (mesh.is_ring() && !channel.where.nodes.empty()) {
             channel.where = of_place ? mesh::at_angle(mesh, channel.where, *angle) : mesh::around(mesh, channel.where);
             channel.meaning += of_place
                                    ? fmt::format(", {:.6g} deg around the rubber", *angle * 180.0 / std::numbers::pi)

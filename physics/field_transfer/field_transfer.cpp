@@ -45,7 +45,7 @@ std::vector<Strip> strips_of(const mesh::Mesh& mesh) {
 
 /// The stretch of the meridian that belongs to a face; without end on a mesh of one face.
 Strip strip_of(const mesh::Mesh& mesh, const mesh::PatchFace& face) {
-    return mesh.columns.empty() ? Strip{} : Strip{.from = face.extent[0], .to = face.extent[1]};
+    return mesh.is_section() ? Strip{.from = face.extent[0], .to = face.extent[1]} : Strip{};
 }
 
 /// How much of a strip each row covers, as a share of it; of a strip without end as a share of what the rows cover.

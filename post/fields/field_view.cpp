@@ -34,10 +34,10 @@ std::string quoted(const std::vector<std::string>& texts) {
 
 std::string_view kind_of(const FieldView& view) {
     const mesh::Mesh& mesh = view.problem.mesh;
-    if (mesh.sectors > 1) {
+    if (mesh.is_ring()) {
         return "ring";
     }
-    if (!mesh.columns.empty()) {
+    if (mesh.is_section()) {
         return "section";
     }
     switch (view.shape) {

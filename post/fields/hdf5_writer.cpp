@@ -66,9 +66,9 @@ void Hdf5Writer::write_mesh() {
     file_.write(
         "/mesh/centre", coordinates(mesh.centre), 3,
         label("m", metric == mesh::Metric::axisymmetric ? "radius, 0 and depth of each node"
-                   : mesh.columns.empty()               ? "x, y and depth of each node"
-                   : mesh.sectors == 1                  ? "arc length along the meridian, 0 and depth of each node"
-                                       : "arc length along the meridian, arc around the tire and depth of each node"));
+                   : !mesh.is_section()                 ? "x, y and depth of each node"
+                   : !mesh.is_ring()                    ? "arc length along the meridian, 0 and depth of each node"
+                                     : "arc length along the meridian, arc around the tire and depth of each node"));
     file_.write("/mesh/volume", mesh.volume, 0, label("m3", "volume of each node, 0 on a surface", "/mesh/centre"));
     file_.write("/mesh/layer", mesh.layer, 0, label("1", "layer of each node, counted from 0", "/mesh/centre"));
     file_.write("/mesh/layer_name", mesh.layers, label("1", "name of each layer, from the outside in"));

@@ -18,8 +18,6 @@ namespace {
 using mesh::CellShape;
 using mesh::Point;
 
-bool is_round(const mesh::Mesh& mesh) { return mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric; }
-
 /// Corners of a mirrored cell in the order that keeps its inside inside.
 std::span<const int> mirrored_order(CellShape shape) {
     static constexpr std::array quadrilateral{1, 0, 3, 2};
@@ -151,13 +149,15 @@ WholeDrawing whole_drawing(const mesh::Mesh& mesh) {
         const bool flat = drawn.shape == CellShape::quadrilateral;
         for (Point& place : whole.points) {
             // One cell across is drawn in the middle of the whole, which is the plane of symmetry; about an axis it is y = 0.
-            place[1] = is_round(mesh) ? 0.0 : flat && mesh.grid->mirror[1] ? mesh.grid->edge[1].front() : place[1];
+            place[1] = mesh.is_axisymmetric()         ? 0.0
+                       : flat && mesh.grid->mirror[1] ? mesh.grid->edge[1].front()
+                                                      : place[1];
         }
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (!mesh.grid->mirror[axis]) {
                 continue;
             }
-            of_mesh *= is_round(mesh) ? 1.0 : 2.0;
+            of_mesh *= mesh.is_axisymmetric() ? 1.0 : 2.0;
             if (drawn.shape == CellShape::hexahedron || (flat && axis == 0)) {
                 mirror(whole, axis, mesh.grid->edge[axis].front());
                 copies *= 2.0;

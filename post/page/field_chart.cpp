@@ -254,14 +254,14 @@ Value outline_of_section(const FoldedSection& section, const mesh::Mesh& mesh) {
 
 FieldFrames::FieldFrames(const solver::Problem& problem)
     : problem_(problem),
-      folded_(!problem.mesh.columns.empty() && !problem.mesh.drawing.places.empty()),
-      section_(folded_ && problem.mesh.sectors > 1 ? mesh::drawn_section(problem.mesh) : mesh::Mesh{}),
-      drawn_(problem.mesh.sectors > 1 ? section_ : problem.mesh),
+      folded_(problem.mesh.is_section() && !problem.mesh.drawing.places.empty()),
+      section_(folded_ && problem.mesh.is_ring() ? mesh::drawn_section(problem.mesh) : mesh::Mesh{}),
+      drawn_(problem.mesh.is_ring() ? section_ : problem.mesh),
       finder_(problem.mesh, solver::nodes_of_layers(problem.mesh)) {
     if (folded_) {
         section_shape_.emplace(drawn_mesh());
     }
-    if (folded_ && problem.mesh.sectors > 1) {
+    if (folded_ && problem.mesh.is_ring()) {
         tread_.emplace(problem);
     }
 }
@@ -286,7 +286,7 @@ Moment FieldFrames::of_plane(double time, std::span<const double> temperature) c
 }
 
 Moment FieldFrames::of_section(double time, std::span<const double> temperature) const {
-    const bool is_ring = problem_.mesh.sectors > 1;
+    const bool is_ring = problem_.mesh.is_ring();
     const std::vector<double> mean = is_ring ? mesh::around(problem_.mesh, temperature) : std::vector<double>{};
     const std::span<const double> kelvin = is_ring ? std::span<const double>(mean) : temperature;
     const std::vector<double> at_corners = drawn_.at_points(kelvin);
@@ -386,7 +386,7 @@ std::string FieldFrames::caption(const diagnosis::HotSpots* hot_spots) const {
         "from the outside in: {}.",
         folded_ && hot_spots != nullptr ? " The diamonds are the hot spots of the parts with a critical temperature."
                                         : "",
-        problem_.mesh.sectors > 1 ? " Mean around the tire." : "",
+        problem_.mesh.is_ring() ? " Mean around the tire." : "",
         folded_ ? "" : " The colour of a cell is its mean; the circle stands in the hottest cell. Lines are isotherms.",
         layers);
 }

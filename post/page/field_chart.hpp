@@ -45,7 +45,7 @@ private:
     }
     [[nodiscard]] Moment of_plane(double time, std::span<const double> temperature) const;
     [[nodiscard]] Moment of_section(double time, std::span<const double> temperature) const;
-    [[nodiscard]] const mesh::Mesh& drawn_mesh() const { return problem_.mesh.sectors > 1 ? section_ : problem_.mesh; }
+    [[nodiscard]] const mesh::Mesh& drawn_mesh() const { return problem_.mesh.is_ring() ? section_ : problem_.mesh; }
     [[nodiscard]] Value::List spots(const diagnosis::HotSpots& hot_spots, const std::vector<Moment>& shown) const;
 
     const solver::Problem& problem_;

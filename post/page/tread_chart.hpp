@@ -13,7 +13,7 @@ namespace tiretherm::post {
 /// Keeps the temperatures of the faces of the outer surface: angle in the frame of the rubber across, meridian down.
 class TreadFrames {
 public:
-    /// @pre problem.mesh.sectors > 1   @param problem lives longer
+    /// @pre problem.mesh.is_ring()   @param problem lives longer
     explicit TreadFrames(const solver::Problem& problem) : problem_(&problem) {}
 
     /// A field that is stored. @param time s  @param temperature [n_nodes] K

@@ -13,7 +13,7 @@ namespace tiretherm::post {
 Section cost_section(const RunRecord& run) {
     const solver::Report& report = run.report;
     const mesh::Mesh& mesh = run.problem.mesh;
-    const bool round = mesh.grid && mesh.grid->metric == mesh::Metric::axisymmetric;
+    const bool round = mesh.is_axisymmetric();
     std::string layers;
     for (const std::string& name : mesh.layers) {
         layers += (layers.empty() ? "" : ", ") + name;

@@ -166,7 +166,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     active.nodes.clear();
     active.weights.clear();
     active.skew.clear();
-    const double edge = mesh.columns.empty() ? 0.0 : active[belt_edge_place] * half_tread(mesh);
+    const double edge = mesh.is_section() ? active[belt_edge_place] * half_tread(mesh) : 0.0;
     for (int cell = 0; cell < mesh.n_cells; ++cell) {
         const auto c = static_cast<std::size_t>(cell);
         const int layer = mesh.layer[c];
@@ -175,7 +175,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
             weight *= active.at(share, Scope::layer, layer);
             weight *= mesh.zone[c] < 0 ? 1.0 : active.at(share, Scope::zone, mesh.zone[c]);
         }
-        if (!mesh.columns.empty()) {
+        if (mesh.is_section()) {
             const double s = along_meridian(mesh, cell);
             const double beside = (std::abs(s) - edge) / active[belt_edge_width];
             weight *= 1.0 + active[belt_edge_gain] * std::exp(-beside * beside);
