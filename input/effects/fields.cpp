@@ -153,9 +153,8 @@ public:
             return;
         }
         const SourceLocation mentioned = table_.place("field");
-        const std::optional<FieldFile> file =
-            read_field_file(errors_.beside(mentioned, *name), mentioned, active_.effect->field(), by_watts,
-                            mesh.is_section(), errors_);
+        const std::optional<FieldFile> file = read_field_file(
+            errors_.beside(mentioned, *name), mentioned, active_.effect->field(), by_watts, mesh.is_section(), errors_);
         if (file && fits(*file, *name) && errors_.count() == before) {
             take(*file, by_watts, *name);
         }

@@ -150,9 +150,8 @@ void CsvRows::report(const std::vector<Ragged>& ragged, const char* end, bool is
     for (const auto& [line, fields] : ragged) {
         const bool is_last = trim({line.text.data() + line.text.size(), end}).empty();
         if (fields < n_columns_ && is_last && n_rows_ > 0 && is_log) {
-            errors.warn(place_in(line, line.text),
-                        "the last line has {} of {} values: it is incomplete and left out", fields,
-                        n_columns_);
+            errors.warn(place_in(line, line.text), "the last line has {} of {} values: it is incomplete and left out",
+                        fields, n_columns_);
             continue;
         }
         if (limiter.only_counts()) {

@@ -284,9 +284,9 @@ TEST(Runs, ANumberOfTheCaseCountsInEachRunWithAWarning) {
     EXPECT_EQ(runs[0].numbers.size(), 1U);
     EXPECT_EQ(runs[1].numbers.size(), 1U);
     ASSERT_EQ(reading.warnings.size(), 1U) << error_report(reading);
-    EXPECT_TRUE(
-        reading.warnings[0].ends_with("the [[measured]] values of the case apply to each of 2 runs: give them to the run in "
-                                      "which they were measured"));
+    EXPECT_TRUE(reading.warnings[0].ends_with(
+        "the [[measured]] values of the case apply to each of 2 runs: give them to the run in "
+        "which they were measured"));
     // Without uncertainty it only stands beside the simulated ones.
     const ExperimentReading shown = Bench(std::string(both) + replaced(number, "uncertainty = \"1 K\"\n", "")).read();
     EXPECT_TRUE(runs_of(shown, 2)[0].numbers.empty());

@@ -94,8 +94,7 @@ TEST(BadFieldFile, HasRivalsOrNoShape) {
     expect_said(said(friction, "y [mm],friction_power [W/m2]\n0,0\n"), {"is zero everywhere: it gives no shape"});
     expect_said(said(friction, "time [s],y [mm],friction_power [W/m2]\n0,0,1\n1,0,0\n"),
                 {"field.csv:3:1: field.csv is zero everywhere in this frame"});
-    expect_said(said("[effects.sliding_friction]\nuse = \"watts\"\n", ""),
-                {"use needs a field, and there is none"});
+    expect_said(said("[effects.sliding_friction]\nuse = \"watts\"\n", ""), {"use needs a field, and there is none"});
     expect_said(said(friction + "use = \"wats\"\n", even), {"did you mean `watts`?"});
     expect_said(
         said("[effects.road_contact]\nfield = \"field.csv\"\n", "time [s],y [mm],pressure [kPa]\n0,0,1\n1,0,1\n"),
