@@ -23,6 +23,10 @@ namespace {
 using physics::ActiveEffect;
 using physics::Effect;
 
+bool has(std::span<const std::string_view> list, std::string_view signal) {
+    return std::ranges::find(list, signal) != list.end();
+}
+
 /// The word of the effect that needs what the effect itself does not, a tire and its signals; null where there is none.
 const physics::Choice* choice_that_needs_more(const ActiveEffect& active) {
     const auto choices = active.effect->choices;
@@ -33,18 +37,16 @@ const physics::Choice* choice_that_needs_more(const ActiveEffect& active) {
 }
 
 bool needs(const ActiveEffect& active, std::string_view signal) {
-    const auto has = [&](std::span<const std::string_view> list) {
-        return std::ranges::find(list, signal) != list.end();
-    };
     const physics::Choice* more = choice_that_needs_more(active);
-    return has(active.effect->reads) || (more != nullptr && has(more->reads));
+    return has(active.effect->reads, signal) || (more != nullptr && has(more->reads, signal));
 }
 
-bool uses(const Effect& effect, std::string_view signal) {
-    const auto lists = {effect.reads, effect.may_read};
-    return std::any_of(lists.begin(), lists.end(), [&](std::span<const std::string_view> list) {
-        return std::find(list.begin(), list.end(), signal) != list.end();
-    });
+/// What an effect with such a word may read, it reads with that word alone.
+bool uses(const ActiveEffect& active, std::string_view signal) {
+    const bool has_such = std::ranges::any_of(active.effect->choices,
+                                              [](const physics::Choice& choice) { return !choice.reads.empty(); });
+    const bool reads_more = !has_such || choice_that_needs_more(active) != nullptr;
+    return has(active.effect->reads, signal) || (reads_more && has(active.effect->may_read, signal));
 }
 
 /// How a column of the run's file becomes an input, with the columns whose names say nothing; empty without one.
@@ -78,7 +80,7 @@ std::vector<std::string> sensors_that_read(const solver::Problem& problem, std::
         const solver::Channel& channel = problem.channels[c];
         const solver::QuantityDescription& quantity = solver::description_of(channel.quantity);
         const bool by_model = std::ranges::any_of(problem.effects, [&](const ActiveEffect& a) {
-            return uses(*a.effect, signal) && std::ranges::count(a.channels, static_cast<int>(c)) > 0;
+            return uses(a, signal) && std::ranges::count(a.channels, static_cast<int>(c)) > 0;
         });
         if (std::ranges::count(quantity.signals, signal) > 0 || by_model ||
             std::ranges::count(solver::optional_signals(channel.quantity), signal) > 0) {
@@ -90,7 +92,7 @@ std::vector<std::string> sensors_that_read(const solver::Problem& problem, std::
 
 /// Whether an effect lets heat or a law of it follow a signal; sensor models do not.
 bool heats_by(const ActiveEffect& active, std::string_view signal) {
-    return active.effect->sensor_model() == nullptr && uses(*active.effect, signal);
+    return active.effect->sensor_model() == nullptr && uses(active, signal);
 }
 
 }  // namespace
