@@ -200,7 +200,8 @@ TEST(Resume, ADiagnosisGoesOnAfterEveryTimeLimit) {
         Spawned call(command, scratch.path(), "0");
         const int end = call.end();
         EXPECT_EQ(call.err().find("an interrupted call is continued: ") != std::string::npos, kept) << call.err();
-        kept = call.err().find("simulations are kept in o, the same call goes on from there") != std::string::npos;
+        // New ones or, on a slow machine, none.
+        kept = call.err().find(" simulations are kept in o, ") != std::string::npos;
         EXPECT_TRUE(end == 0 || (end == 2 && kept)) << call.err();
         EXPECT_EQ(std::filesystem::exists(scratch / "o/.tiretherm/diagnose.simulations"), kept);
         EXPECT_EQ(call.out(), "");
