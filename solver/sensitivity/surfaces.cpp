@@ -14,6 +14,9 @@ Status settle_surfaces(const System& system, const Matrix& J, std::span<const do
                        double tolerance, std::span<double> x, std::span<double> product) {
     constexpr int most_iterations = 60;  // round-off is reached in 10 to 20
     const std::size_t n = J.pattern->diagonal.size();
+    const auto apart = [] {
+        return Status{Outcome::not_converged, "the sensitivities of the surfaces did not converge"};
+    };
     double worst = 0.0;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         J.multiply_block(x, product, x.size() / n);
@@ -25,6 +28,9 @@ Status settle_surfaces(const System& system, const Matrix& J, std::span<const do
                 if (!system.has_capacity(i)) {
                     const double by =
                         (scale * right[first + i] - product[first + i]) / J.value[at(J.pattern->diagonal[i])];
+                    if (!std::isfinite(by)) {  // which no maximum would show
+                        return apart();
+                    }
                     x[first + i] += by;
                     change = std::max(change, std::abs(by));
                 }
@@ -37,8 +43,7 @@ Status settle_surfaces(const System& system, const Matrix& J, std::span<const do
         }
     }
     constexpr double enough = 1e-9;
-    return worst <= enough ? Status{}
-                           : Status{Outcome::not_converged, "the sensitivities of the surfaces did not converge"};
+    return worst <= enough ? Status{} : apart();
 }
 
 }  // namespace tiretherm::solver
