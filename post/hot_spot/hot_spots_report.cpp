@@ -9,7 +9,7 @@
 #include "mesh/place.hpp"
 #include "physics/celsius.hpp"
 #include "post/hot_spot/hot_spots_report.hpp"
-#include "post/page/charts.hpp"
+#include "post/page/time_chart.hpp"
 #include "post/report/number_text.hpp"
 
 namespace tiretherm::post {
@@ -213,28 +213,24 @@ void add_history_chart(Section& section, const HotSpots& hot_spots) {
     if (hot_spots.spots.empty() || hot_spots.spots.front().history.time().size() < 2) {
         return;
     }
-    const std::vector<double>& seconds = hot_spots.spots.front().history.time();
-    const TimeUnit unit = time_unit(seconds.back() - seconds.front());
-    const std::vector<double> t = scaled(seconds, 1.0 / unit.seconds);
-    LineChart chart("time", unit.name, t.front(), t.back());
-    chart.add_panel("temperature", "°C");
+    const std::vector<double>& time = hot_spots.spots.front().history.time();
+    TimeChart chart;
     std::set<std::string> drawn;
-    const auto add = [&](const std::string& name, const std::string& group, CurveRole role,
-                         const std::vector<double>& kelvin) {
-        if (drawn.insert(name).second) {
-            chart.add_curve(name, group, role, t, converted(kelvin, celsius));
-        }
-    };
     for (const HotSpot& spot : hot_spots.spots) {
         const solver::Critical& critical = spot.history.critical();
-        add(critical.name, critical.name, CurveRole::line, spot.history.temperature());
-        if (!critical.surface_name.empty()) {
-            add(critical.surface_name, critical.name, CurveRole::dashed, spot.history.surface());
+        TimeSeries series{.channel = critical.name, .unit = solver::shown_unit(solver::Quantity::temperature)};
+        if (drawn.insert(critical.name).second) {
+            series.curves.push_back({critical.name, CurveRole::line, time, spot.history.temperature()});
         }
-        chart.add_level(fmt::format("{}: critical {:.6g} °C", critical.name, celsius(critical.temperature)),
-                        celsius(critical.temperature));
+        if (!critical.surface_name.empty() && drawn.insert(critical.surface_name).second) {
+            series.curves.push_back({critical.surface_name, CurveRole::dashed, time, spot.history.surface()});
+        }
+        series.levels = {{fmt::format("{}: critical {:.6g} °C", critical.name, celsius(critical.temperature)),
+                          critical.temperature}};
+        chart.series.push_back(std::move(series));
     }
-    section.chart("Hot spots against time", "Solid: the hottest place; dashed: the surface above it.", chart.data());
+    add_time_chart(section, "Hot spots against time", "Solid: the hottest place; dashed: the surface above it.",
+                   std::move(chart));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cuts the series of inputs to a run and groups them by their units.
+// Cuts the series of inputs to a run.
 #include "post/page/input_panels.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -17,24 +18,13 @@ namespace {
 
 constexpr std::size_t most_panels = 3;
 
-struct Curve {
-    std::string name;
-    std::vector<double> time;   ///< in the chart's unit
-    std::vector<double> value;  ///< in the shown unit
-};
-
-struct UnitGroup {
-    std::string_view unit;
-    std::vector<Curve> curves;
-};
-
 /// A series between two times, its ends included.
-Curve curve_of(const solver::Series& series, const solver::ShownUnit& unit, double start, double end, double seconds) {
-    Curve curve{.name = std::string(series.signal->name), .time = {}, .value = {}};
+TimeCurve curve_of(const solver::Series& series, double start, double end) {
+    TimeCurve curve{.name = std::string(series.signal->name), .time = {}, .value = {}};
     std::ranges::replace(curve.name, '_', ' ');
-    const auto add = [&](double t, double si) {
-        curve.time.push_back(t / seconds);
-        curve.value.push_back(unit.value(si));
+    const auto add = [&](double t, double value) {
+        curve.time.push_back(t);
+        curve.value.push_back(value);
     };
     add(start, series.at(start, solver::JumpSide::after));
     for (std::size_t i = 0; i < series.time.size(); ++i) {
@@ -46,9 +36,10 @@ Curve curve_of(const solver::Series& series, const solver::ShownUnit& unit, doub
     return curve;
 }
 
-bool stands_still(const Curve& curve) {
+/// As it is shown: of a temperature a change beside degrees Celsius.
+bool stands_still(const TimeCurve& curve, const solver::ShownUnit& unit) {
     const auto [low, high] = std::ranges::minmax(curve.value);
-    return !(high - low > 1e-9 * std::max(1.0, std::abs(high)));
+    return !(unit.difference(high - low) > 1e-9 * std::max(1.0, std::abs(unit.value(high))));
 }
 
 bool differ(std::span<const solver::ScheduleStep> steps, double solver::ScheduleStep::*member) {
@@ -100,32 +91,23 @@ std::vector<std::string> step_names(std::span<const solver::ScheduleStep> steps)
     return names;
 }
 
-void add_input_panels(LineChart& chart, const solver::InputSignals& inputs, double start, double end, double seconds) {
-    std::vector<UnitGroup> groups;
+std::vector<TimeSeries> changing_inputs(const solver::InputSignals& inputs, double start, double end) {
+    std::vector<TimeSeries> found;
+    std::set<std::string_view> units;
     for (const physics::Signal& signal : physics::signals()) {  // speed and load come first in this order
         const solver::ShownUnit unit = shown_unit(signal);
         for (const solver::Series& series : inputs.series()) {
-            if (series.signal != &signal || series.time.empty() || signal.name == "wheel_angle") {
+            if (series.signal != &signal || series.time.empty() || signal.name == "wheel_angle" ||
+                (units.size() == most_panels && !units.contains(unit.name))) {
                 continue;
             }
-            Curve curve = curve_of(series, unit, start, end, seconds);
-            if (stands_still(curve)) {
-                continue;
+            if (TimeCurve curve = curve_of(series, start, end); !stands_still(curve, unit)) {
+                units.insert(unit.name);
+                found.push_back({.channel = curve.name, .unit = unit, .is_input = true, .curves = {std::move(curve)}});
             }
-            auto group = std::ranges::find(groups, std::string_view(unit.name), &UnitGroup::unit);
-            if (group == groups.end()) {
-                group = groups.insert(groups.end(), UnitGroup{unit.name, {}});
-            }
-            group->curves.push_back(std::move(curve));
         }
     }
-    for (std::size_t g = 0; g < std::min(groups.size(), most_panels); ++g) {
-        const UnitGroup& group = groups[g];
-        chart.add_panel(group.curves.size() == 1 ? group.curves.front().name : "inputs", std::string(group.unit), true);
-        for (const Curve& curve : group.curves) {
-            chart.add_curve(curve.name, curve.name, CurveRole::line, curve.time, curve.value);
-        }
-    }
+    return found;
 }
 
 void add_step_bands(LineChart& chart, std::span<const solver::ScheduleStep> steps, double seconds) {

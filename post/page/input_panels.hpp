@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inputs of a run below the curves that follow from them: low panels of what changes, and steps as bands with names.
+// Inputs of a run below the curves that follow from them: what changes, and steps as bands with names.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
-#include "input/laps/laps.hpp"
-#include "post/page/charts.hpp"
-#include "solver/channel_unit.hpp"
+#include "post/page/time_chart.hpp"
 #include "solver/hot_spot/schedule_steps.hpp"
 #include "solver/input_signals.hpp"
 
@@ -21,9 +19,8 @@ namespace tiretherm::post {
 /// @returns [steps]
 [[nodiscard]] std::vector<std::string> step_names(std::span<const solver::ScheduleStep> steps);
 
-/// A low panel for each unit of the inputs that change between two times, speed first, at most three; inputs that stand
-/// still have none. @param seconds of the chart's unit of time
-void add_input_panels(LineChart& chart, const solver::InputSignals& inputs, double start, double end, double seconds);
+/// The inputs that change between two times, speed first, of at most three units. @param start, end s
+[[nodiscard]] std::vector<TimeSeries> changing_inputs(const solver::InputSignals& inputs, double start, double end);
 
 /// Bands with names for the steps, where there are several. @param seconds of the chart's unit of time
 void add_step_bands(LineChart& chart, std::span<const solver::ScheduleStep> steps, double seconds);

@@ -13,7 +13,7 @@
 
 #include "diagnosis/compare/stretch.hpp"
 #include "input/text/word_lists.hpp"
-#include "post/page/charts.hpp"
+#include "post/page/time_chart.hpp"
 #include "post/report/number_text.hpp"
 
 namespace tiretherm::post {
@@ -240,53 +240,25 @@ DataTable heat(const StoredResult& a, const StoredResult& b) {
 
 /// Courses of one unit in a panel, A dashed, and B - A below it.
 void add_chart(Section& section, const std::vector<CoursePair>& pairs) {
-    double low = 1e300;
-    double high = -1e300;
-    std::vector<std::string> units;
-    for (const CoursePair& pair : pairs) {
-        for (const StoredCourse* course : {pair.a, pair.b}) {
-            low = std::min(low, course->time.front());
-            high = std::max(high, course->time.back());
-        }
-        if (std::ranges::find(units, pair.a->unit) == units.end()) {
-            units.push_back(pair.a->unit);
-        }
-    }
-    if (!(high > low)) {
-        return;
-    }
-    const TimeUnit time = time_unit(high - low);
-    LineChart chart("time", time.name, low / time.seconds, high / time.seconds);
-    chart.share_points(90'000, 3 * pairs.size());
-    for (const std::string& unit : units) {
-        chart.add_panel(unit == "degC" ? "temperature" : "channels", axis_unit(unit));
-        for (const CoursePair& pair : pairs) {
-            if (pair.a->unit == unit) {
-                chart.add_curve(pair.a->name + ", A", pair.a->name, CurveRole::dashed,
-                                scaled(pair.a->time, 1.0 / time.seconds), pair.a->value);
-                chart.add_curve(pair.b->name + ", B", pair.b->name, CurveRole::line,
-                                scaled(pair.b->time, 1.0 / time.seconds), pair.b->value);
+    TimeChart chart{.difference = "B - A"};
+    for (const auto& [a, b] : pairs) {
+        TimeSeries series{.channel = a->name, .unit = {a->unit.c_str()}};  // as the files have it
+        series.curves = {{a->name + ", A", CurveRole::dashed, a->time, a->value},
+                         {b->name + ", B", CurveRole::line, b->time, b->value}};
+        TimeCurve difference{.name = a->name, .time = {}, .value = {}};
+        for (std::size_t i = 0; i < a->time.size(); ++i) {
+            const double t = a->time[i];
+            if (t >= b->time.front() && t <= b->time.back()) {
+                difference.time.push_back(t);
+                difference.value.push_back(diagnosis::values_between(b->time, b->value, t, t).end - a->value[i]);
             }
         }
-        chart.add_panel("B - A", axis_unit(difference_unit(unit)), true);
-        for (const CoursePair& pair : pairs) {
-            std::vector<double> times;
-            std::vector<double> difference;
-            for (std::size_t i = 0; i < pair.a->time.size() && pair.a->unit == unit; ++i) {
-                const double t = pair.a->time[i];
-                if (t >= pair.b->time.front() && t <= pair.b->time.back()) {
-                    times.push_back(t / time.seconds);
-                    difference.push_back(diagnosis::values_between(pair.b->time, pair.b->value, t, t).end -
-                                         pair.a->value[i]);
-                }
-            }
-            if (!times.empty()) {
-                chart.add_curve(pair.a->name, pair.a->name, CurveRole::line, times, difference);
-            }
+        if (!difference.time.empty()) {
+            series.differences.push_back(std::move(difference));
         }
-        chart.add_level("", 0.0);
+        chart.series.push_back(std::move(series));
     }
-    section.chart("A and B against time", "Dashed: A, solid: B.", chart.data());
+    add_time_chart(section, "A and B against time", "Dashed: A, solid: B.", std::move(chart));
 }
 
 std::vector<std::string> only_in(const StoredResult& one, const StoredResult& other) {

@@ -2,91 +2,54 @@
 // The charts of a run's page: channels against time with measured values, inputs below, heat by effect.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
 #include "physics/celsius.hpp"
-#include "post/page/charts.hpp"
-#include "post/page/input_panels.hpp"
+#include "post/page/time_chart.hpp"
 #include "post/run/run_sections.hpp"
-#include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
 
 namespace {
 
-/// Channels of one unit, in the order of their first.
-struct Group {
-    solver::ShownUnit unit;
-    std::vector<std::size_t> channels;
-};
-
-std::vector<Group> groups_of(const solver::Problem& problem) {
-    std::vector<Group> groups;
-    for (std::size_t c = 0; c < problem.channels.size(); ++c) {
-        const solver::ShownUnit unit = solver::shown_unit(problem.channels[c].quantity);
-        auto group =
-            std::ranges::find_if(groups, [&](const Group& g) { return std::string_view(g.unit.name) == unit.name; });
-        if (group == groups.end()) {
-            group = groups.insert(groups.end(), Group{unit, {}});
-        }
-        group->channels.push_back(c);
-    }
-    return groups;
-}
-
-/// @param called the channel's curve
-void add_measured(LineChart& chart, const RunRecord& run, std::size_t channel, const std::string& called,
-                  const solver::ShownUnit& unit, const TimeUnit& time) {
-    std::vector<double> t;
-    std::vector<double> low;
-    std::vector<double> high;
-    const std::string& name = run.problem.channels[channel].name;
+TimeRanges measured_of(const RunRecord& run, std::size_t channel) {
+    TimeRanges ranges;
     for (const solver::Measured& measured : run.problem.measured) {
         const double at = std::isfinite(measured.time) ? measured.time : run.history.time().back();
-        if (measured.channel == name && at <= run.history.time().back()) {
-            t.push_back(at / time.seconds);
-            low.push_back(unit.value(measured.low));
-            high.push_back(unit.value(measured.high));
+        if (measured.channel == run.problem.channels[channel].name && at <= run.history.time().back()) {
+            ranges.time.push_back(at);
+            ranges.low.push_back(measured.low);
+            ranges.high.push_back(measured.high);
         }
     }
-    if (!t.empty()) {
-        chart.add_ranges(called + ", measured", called, t, low, high);
-    }
+    return ranges;
 }
 
-/// Of each hot spot its course, its critical temperature, and the moment at which it passes that.
-void add_hot_spots(LineChart& chart, const diagnosis::HotSpots& hot_spots, const TimeUnit& time) {
-    for (const diagnosis::HotSpot& spot : hot_spots.spots) {
-        const solver::Critical& critical = spot.history.critical();
-        const double level = celsius(critical.temperature);
-        chart.add_curve("hottest, " + critical.name, critical.name, CurveRole::dashed,
-                        scaled(spot.history.time(), 1.0 / time.seconds),
-                        converted(spot.history.temperature(), celsius));
-        chart.add_level(fmt::format("{}: critical {:.5g} °C", critical.name, level), level);
-        if (spot.passing) {
-            std::string text = fmt::format("{} passes {:.5g} °C: {:.4g} {}", critical.name, level,
-                                           spot.passing->time / time.seconds, time.name);
-            if (spot.passing->step && !spot.passing->step->ramp) {
-                text += fmt::format(", step {}", spot.passing->step->number);
-            }
-            text += fmt::format(", {:.0f} km/h", 3.6 * spot.passing->speed);
-            chart.add_mark(text, critical.name, spot.passing->time / time.seconds, level);
+/// Of a hot spot its course, its critical temperature, and the moment at which it passes that.
+TimeSeries series_of(const diagnosis::HotSpot& spot) {
+    const solver::Critical& critical = spot.history.critical();
+    const double level = celsius(critical.temperature);
+    TimeSeries series{.channel = critical.name, .unit = solver::shown_unit(solver::Quantity::temperature)};
+    series.curves = {{"hottest, " + critical.name, CurveRole::dashed, spot.history.time(), spot.history.temperature()}};
+    series.levels = {{fmt::format("{}: critical {:.5g} °C", critical.name, level), critical.temperature}};
+    if (spot.passing) {
+        const TimeUnit time = time_unit(spot.history.time().back() - spot.history.time().front());
+        std::string text = fmt::format("{} passes {:.5g} °C: {:.4g} {}", critical.name, level,
+                                       spot.passing->time / time.seconds, time.name);
+        if (spot.passing->step && !spot.passing->step->ramp) {
+            text += fmt::format(", step {}", spot.passing->step->number);
         }
+        text += fmt::format(", {:.0f} km/h", 3.6 * spot.passing->speed);
+        series.marks = {{text, critical.temperature, spot.passing->time}};
     }
+    return series;
 }
 
-constexpr std::size_t points_of_a_chart = 60'000;
-
-std::string caption_of(const RunRecord& run, const std::vector<solver::ScheduleStep>& steps) {
+std::string caption_of(const RunRecord& run) {
     std::string text = "Lines are simulated";
     text += run.problem.measured.empty() ? "." : "; a bar with circles is a measured value or range.";
-    if (run.laps.size() > 1) {
-        text += " The bands are laps.";
-    } else if (std::ranges::count(steps, false, &solver::ScheduleStep::ramp) > 1) {
-        text += steps.front().recognised ? " The bands are steps of speed and load, recognised in the log."
-                                         : " The bands are the steps of the schedule.";
-    }
     if (run.hot_spots != nullptr) {
         text += " A circle marks where a hot spot passes its critical temperature.";
     }
@@ -101,79 +64,58 @@ void add_channel_charts(Section& section, std::span<const RunRecord> runs) {
     if (run.history.rows() < 2 || (run.problem.channels.empty() && run.hot_spots == nullptr)) {
         return;
     }
-    const double start = run.history.time().front();
-    const double end = run.history.time().back();
-    const TimeUnit time = time_unit(end - start);
-    LineChart chart("time", time.name, start / time.seconds, end / time.seconds);
-    chart.share_points(points_of_a_chart, runs.size() * run.problem.channels.size());
-    for (const Group& group : groups_of(run.problem)) {
-        const bool is_temperature = axis_unit(group.unit.name) == "°C";
-        chart.add_panel(is_temperature ? "temperature" : run.problem.channels[group.channels.front()].name,
-                        axis_unit(group.unit.name), !is_temperature);
-        for (const RunRecord& one : runs) {
-            const std::vector<double> t = scaled(one.history.time(), 1.0 / time.seconds);
-            for (const std::size_t c : group.channels) {
-                const auto value = [&](double si) { return group.unit.value(si); };
-                const std::string& channel = one.problem.channels[c].name;
-                const std::string name = is_single ? channel : channel + " " + one.corner;
-                chart.add_curve(name, name, CurveRole::line, t, converted(one.history.channel(c), value));
-                add_measured(chart, one, c, name, group.unit, time);
-            }
-        }
-        if (is_temperature && is_single && run.hot_spots != nullptr) {
-            add_hot_spots(chart, *run.hot_spots, time);
+    TimeChart chart{.laps = run.laps};
+    for (const RunRecord& one : runs) {
+        for (std::size_t c = 0; c < one.problem.channels.size(); ++c) {
+            const solver::Channel& channel = one.problem.channels[c];
+            const std::string name = is_single ? channel.name : channel.name + " " + one.corner;
+            chart.series.push_back({.channel = name,
+                                    .unit = solver::shown_unit(channel.quantity),
+                                    .curves = {{name, CurveRole::line, one.history.time(), one.history.channel(c)}},
+                                    .measured = measured_of(one, c)});
         }
     }
-    std::vector<solver::ScheduleStep> steps;
     if (is_single) {
-        add_input_panels(chart, run.problem.input_signals, start, end, time.seconds);
+        chart.inputs = &run.problem.input_signals;
+        for (std::size_t i = 0; run.hot_spots != nullptr && i < run.hot_spots->spots.size(); ++i) {
+            chart.series.push_back(series_of(run.hot_spots->spots[i]));
+        }
     }
-    if (run.laps.size() > 1) {
-        add_lap_bands(chart, run.laps, time.seconds);
-    } else if (is_single) {
-        steps = solver::schedule_steps(run.problem.input_signals, start, end);
-        add_step_bands(chart, steps, time.seconds);
-    }
-    chart.set_link("time");
-    section.chart("Sensors against time", caption_of(run, steps), chart.data());
+    add_time_chart(section, "Sensors against time", caption_of(run), std::move(chart));
 }
 
 void add_heat_course(Section& section, const RunRecord& run) {
     if (run.history.rows() < 2 || run.problem.settings.steady) {
         return;
     }
-    const TimeUnit time = time_unit(run.history.time().back() - run.history.time().front());
-    const std::vector<double> t = scaled(run.history.time(), 1.0 / time.seconds);
-    LineChart chart("time", time.name, t.front(), t.back());
-    chart.share_points(points_of_a_chart, run.problem.effects.size());
-    chart.add_panel("heat into it", "W");
-    std::vector<double> sum(t.size(), 0.0);
-    bool any = false;
+    const std::vector<double>& time = run.history.time();
+    TimeChart chart{.inputs = &run.problem.input_signals, .has_input_panels = false, .laps = run.laps};
+    std::vector<double> sum(time.size(), 0.0);
+    const auto add = [&](const std::string& name, const std::string& colour, CurveRole role,
+                         std::vector<double> watts) {
+        chart.series.push_back({.channel = colour,
+                                .unit = {"W"},
+                                .panel = "heat into it",
+                                .curves = {{name, role, time, std::move(watts)}}});
+    };
     for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
-        const std::vector<double> watts = scaled(run.history.watts(e), run.problem.symmetry);
+        std::vector<double> watts = scaled(run.history.watts(e), run.problem.symmetry);
         if (std::ranges::all_of(watts, [](double value) { return value == 0.0; })) {
             continue;
         }
-        any = true;
-        for (std::size_t row = 0; row < t.size(); ++row) {
-            sum[row] += watts[row];
-        }
+        std::ranges::transform(sum, watts, sum.begin(), std::plus<>());
         const std::string name(run.problem.effects[e].title());
-        chart.add_curve(name, "heat of " + name, CurveRole::line, t, watts);
+        add(name, "heat of " + name, CurveRole::line, std::move(watts));
     }
-    if (!any) {
+    if (chart.series.empty()) {
         return;
     }
-    chart.add_curve("sum: what is stored", "sum of heat", CurveRole::dashed, t, sum);
-    chart.add_level("", 0.0);
-    const double start = run.history.time().front();
-    const double end = run.history.time().back();
-    add_step_bands(chart, solver::schedule_steps(run.problem.input_signals, start, end), time.seconds);
-    chart.set_link("time");
-    section.chart("Heat of each path against time",
-                  "Above zero a path brings heat in, below zero it takes heat out; the sum is what warms the tire or "
-                  "specimen.",
-                  chart.data());
+    add("sum: what is stored", "sum of heat", CurveRole::dashed, std::move(sum));
+    chart.series.back().levels = {{"", 0.0}};
+    add_time_chart(section, "Heat of each path against time",
+                   "Above zero a path brings heat in, below zero it takes heat out; the sum is what warms the tire or "
+                   "specimen.",
+                   std::move(chart));
 }
 
 void add_heat_charts(Section& section, const RunRecord& run) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inputs below the curves: only what changes, in the units of the user, cut to the run; steps as bands with their names.
 
+#include <set>
+#include <string>
+
 #include "post/page/input_panels.hpp"
 
 #include <gtest/gtest.h>
@@ -24,28 +27,39 @@ solver::InputSignals inputs() {
     return inputs;
 }
 
-Json panels(const LineChart& chart) { return Json::parse(compact_json(chart.data()))["panels"]; }
-
-TEST(InputPanels, ShowWhatChangesInTheUnitsOfTheUser) {
-    LineChart chart("time", "min", 0.0, 1.0);
-    add_input_panels(chart, inputs(), 0.0, 60.0, 60.0);
-    const Json all = panels(chart);
-    ASSERT_EQ(all.size(), 2u);  // the load stands still
-    EXPECT_EQ(all[0]["name"], "speed");
-    EXPECT_EQ(all[0]["unit"], "km/h");
-    // 10 m/s are 36 km/h; after 60 s 16 m/s, 57.6 km/h. One minute is 1.
-    EXPECT_EQ(all[0]["series"][0]["points"], Json::parse("[[0.0,36.0],[1.0,57.6]]"));
-    EXPECT_EQ(all[1]["unit"], "°C");
+TEST(InputPanels, ShowWhatChangesBetweenTwoTimes) {
+    const std::vector<TimeSeries> shown = changing_inputs(inputs(), 0.0, 60.0);
+    ASSERT_EQ(shown.size(), 2u);  // the load stands still
+    EXPECT_EQ(shown[0].channel, "speed");
+    EXPECT_STREQ(shown[0].unit.name, "km/h");
+    // 10 m/s rise to 16 m/s after 60 s.
+    EXPECT_EQ(shown[0].curves[0].time, (std::vector<double>{0.0, 60.0}));
+    EXPECT_EQ(shown[0].curves[0].value, (std::vector<double>{10.0, 16.0}));
+    EXPECT_STREQ(shown[1].unit.name, "°C");
     // 27 degC, 22 after 50 s, and 21 after 60 s.
-    EXPECT_EQ(all[1]["series"][0]["points"], Json::parse("[[0.0,27.0],[0.833333,22.0],[1.0,21.0]]"));
+    EXPECT_EQ(shown[1].curves[0].time, (std::vector<double>{0.0, 50.0, 60.0}));
+    EXPECT_NEAR(shown[1].unit.value(shown[1].curves[0].value[2]), 21.0, 1e-9);
 }
 
 TEST(InputPanels, InputsThatStandStillHaveNone) {
     solver::InputSignals constant;
     constant.add(*physics::find_signal("speed"), 20.0);
-    LineChart chart("time", "s", 0.0, 100.0);
-    add_input_panels(chart, constant, 0.0, 100.0, 1.0);
-    EXPECT_TRUE(chart.empty());
+    EXPECT_TRUE(changing_inputs(constant, 0.0, 100.0).empty());
+}
+
+// Speed, load, pressure and the air's temperature change: four units, of which the first three in the order of the signals are shown,
+// and the road's temperature would stand beside the air's.
+TEST(InputPanels, NoMoreThanThreeUnitsAreShown) {
+    solver::InputSignals many = inputs();
+    many.add(series("longitudinal_force", {0.0, 100.0}, {0.0, 500.0}));
+    many.add(series("slip_angle", {0.0, 100.0}, {0.0, 0.1}));
+    many.add(series("inflation_pressure", {0.0, 100.0}, {2e5, 2.1e5}));
+    std::set<std::string> units;
+    for (const TimeSeries& one : changing_inputs(many, 0.0, 100.0)) {
+        units.insert(one.unit.name);
+    }
+    EXPECT_EQ(units.size(), 3u);
+    EXPECT_TRUE(units.contains("km/h"));
 }
 
 // 40 and 45 m/s are 144 and 162 km/h.
