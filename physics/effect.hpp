@@ -35,6 +35,11 @@ struct ParameterSpec {
     bool difference = false;  ///< of two temperatures: converted without the offset of a scale
     /// The value at which an effect changes nothing; NaN where there is none.
     double absent = std::numeric_limits<double>::quiet_NaN();
+    double (Tire::*absent_of_tire)() const = nullptr;  ///< where that value follows from the tire
+
+    [[nodiscard]] double absent_of(const Tire& tire) const {
+        return absent_of_tire != nullptr ? (tire.*absent_of_tire)() : absent;
+    }
 };
 
 /// A word of an effect.
@@ -91,6 +96,8 @@ struct Effect {
     std::span<const std::string_view> reads{};     ///< names of the signals it needs
     std::span<const std::string_view> may_read{};  ///< names of signals it uses when they are given
     std::string_view instead_of{};                 ///< an effect that it describes better: one of the two acts
+    /// A diagnosis tries it where this effect is on or a case lists it as a candidate; empty: wherever it can act.
+    std::string_view tried_beside{};
     bool needs_tire = false;
     bool needs_grid = false;                      ///< cannot act on lumps
     std::span<const std::string_view> patches{};  ///< standard patches, or empty if it acts elsewhere
@@ -138,7 +145,8 @@ struct ActiveEffect {
     std::shared_ptr<const Field> field{};         ///< replaces the weights of `place`
     std::shared_ptr<const MeasuredLoss> total{};  ///< replaces the total of the effect's law
     std::vector<int> lumped_nodes;                ///< filled by `extend`: lumped nodes of its own
-    std::vector<int> coupling_faces;              ///< filled by `extend`: faces that lead to lumped nodes
+    std::vector<int> coupling_faces;              ///< filled by `extend`: faces that lead to lumped nodes; of a contact
+                                                  ///< by `place`: from each of its nodes to a drum that it heats
     std::vector<int> nodes;                       ///< filled by `place`: where it acts
     std::vector<double> weights;                  ///< filled by `place`: with which share
     std::vector<int> groups;  ///< filled by `place`: where runs of alike places begin in `weights`, and their end
@@ -146,6 +154,7 @@ struct ActiveEffect {
     std::vector<double>
         effusivities;  ///< filled by `place`: of the tread, at which what happens in the contact is worked out
     double effusivity_of_road = 0.0;  ///< filled by `place`
+    double share_of_drum = 0.0;       ///< filled by `place`, of a contact: of what the road takes, by `coupling_faces`
     std::vector<double> skew;         ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
 
     /// What it is called: its own name, or its effect's.

@@ -117,6 +117,7 @@ struct HeatEffect {
     void (*extend)(mesh::Mesh& mesh, ActiveEffect& active) = nullptr;
     /// Heat capacity of its lumped nodes. @returns J/K, in the order of ActiveEffect::lumped_nodes
     double (*capacity)(const ActiveEffect& active, std::size_t index) = nullptr;
+    std::string_view starts_at = "air_temperature";  ///< the input whose first value its lumped nodes start at
     void (*place)(const PlacementContext& context, ActiveEffect& active) = nullptr;
     /// The law of the loss that follows the temperature of a lumped node of its own, if it carries one.
     LossLaw scale_loss = nullptr;

@@ -36,6 +36,7 @@ struct Tire {
     /// Pa above the atmosphere at which the laws of the load hold; 0: they do not follow the pressure.
     double reference_pressure = 0.0;
     double pressure_exponent_of_loss = 0.45;  ///< 1, the loss falls with this power of the pressure
+    double loss_drum_diameter = 0.0;          ///< m, of the drum on which the loss was measured; 0: a flat road
     std::optional<Curve> contact_length_table;
     std::optional<Curve> contact_area_table;
     std::optional<Curve> loaded_radius_table;
@@ -81,6 +82,8 @@ struct Tire {
     /// How the loss follows the pressure: (p / reference_pressure)^-pressure_exponent_of_loss, 1 without a reference;
     /// below a fifth of the reference it is held. SAE J2452, whose exponents of the pressure are -0.4 to -0.5 (recalled).
     [[nodiscard]] double pressure_factor_of_loss(double pressure) const;
+    /// 1 / radius of the drum on which the loss was measured. @returns 1/m, 0 of a flat road
+    [[nodiscard]] double curvature_of_loss() const { return loss_drum_diameter > 0.0 ? 2.0 / loss_drum_diameter : 0.0; }
 
     friend bool operator==(const Tire&, const Tire&) = default;
 };

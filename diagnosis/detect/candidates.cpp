@@ -227,7 +227,7 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
         }
         const Candidate plain{.effect = &effect,
                               .parameter = p,
-                              .absent = parameter.absent,
+                              .absent = parameter.absent_of(problem.tire),
                               .low = parameter.low,
                               .high = parameter.high};
         if (effect.sensor_model() != nullptr) {
@@ -246,6 +246,11 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
             add(all, plain);
         }
     }
+}
+
+/// Most cases have no place for an effect that is tried beside another only.
+bool is_worth_trying(const solver::Problem& problem, const Effect& effect, const std::vector<std::string>& chosen) {
+    return effect.tried_beside.empty() || !chosen.empty() || is_on(problem, *physics::find_effect(effect.tried_beside));
 }
 
 /// Numbers of an effect that is on, with one value everywhere that the fit does not free, where the case doubts them.
@@ -318,7 +323,8 @@ std::vector<Candidate> candidates_of(const input::Experiment& experiment, const 
     const std::vector<int> channels = measured_channels(experiment);
     std::vector<Candidate> all;
     for (const Effect* effect : physics::catalogue()) {
-        if (!is_on(experiment.runs.front().problem, *effect) && can_act(experiment, *effect)) {
+        const solver::Problem& problem = experiment.runs.front().problem;
+        if (!is_on(problem, *effect) && is_worth_trying(problem, *effect, chosen) && can_act(experiment, *effect)) {
             add_all(all, experiment, *effect, channels, chosen);
         }
     }

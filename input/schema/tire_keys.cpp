@@ -31,6 +31,7 @@ std::vector<TableKeys> tire_tables() {
             quantity("rolling_radius_exponent", {.unit = "1", .low = -1.0, .high = 1.0}, "Exponent of the power law of the rolling radius.").into<&physics::Tire::rolling_radius_exponent>(),
             quantity("reference_pressure", {.unit = "Pa", .low = 1e4, .high = 2e6, .above = true}, "Inflation pressure above the atmosphere at which the laws of the load hold. Where `drive` gives `inflation_pressure`, contact and radii are those of the load times the ratio of the vertical stiffnesses at the two pressures (Rhyne, Tire Sci. Technol. 33(3), 2005). Default: 220 kPa."),
             quantity("pressure_exponent_of_loss", {.unit = "1", .low = 0.0, .high = 3.0}, "The strain-energy loss falls with this power of the inflation pressure over the reference (SAE J2452: 0.4 to 0.5). Default: 0.45.").into<&physics::Tire::pressure_exponent_of_loss>(),
+            quantity("loss_drum_diameter", {.unit = "m", .low = 0.1, .high = 100.0, .usual_low = 1.0, .usual_high = 3.5}, "Diameter of the drum on which the strain-energy loss, by its law or its `total`, was measured. The effect `drum_curvature` counts from there; without it the tire rolls on that drum. Default: measured on a flat road.").into<&physics::Tire::loss_drum_diameter>(),
             subtable("contact_length", "Measured contact length against load, in place of the law."),
             subtable("contact_area", "Measured contact area against load, in place of the law."),
             subtable("loaded_radius", "Measured loaded radius against load, in place of the law."),

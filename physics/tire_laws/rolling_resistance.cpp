@@ -23,8 +23,7 @@ double rolling_drag(const Tire& tire, double dissipated_power, double speed, dou
 }
 
 double to_drum(double measured, double from, double to, double tire_radius) {
-    // (R + r)/R = 1 + r/R has a value on the flat road as well: 1.
-    return measured * std::sqrt((1.0 + tire_radius / to) / (1.0 + tire_radius / from));
+    return measured * std::sqrt((1.0 + tire_radius * to) / (1.0 + tire_radius * from));
 }
 
 double CoastdownLaw::force(double pressure, double vertical_load, double speed) const {

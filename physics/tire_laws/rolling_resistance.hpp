@@ -16,9 +16,9 @@ namespace tiretherm::physics {
 [[nodiscard]] double rolling_drag(const Tire& tire, double dissipated_power, double speed, double vertical_load);
 
 /// Rolling resistance on a drum of another radius: F02 = F01 sqrt((R1/R2) (R2 + r)/(R1 + r)).          ISO 28580
-/// An infinite radius is the flat road, so F_flat = F sqrt(R1/(R1 + r)).
-/// @param measured N, on the drum of radius `from` m  @param tire_radius m, r, half the nominal diameter
-/// @returns N, on the drum of radius `to` m
+/// By curvatures 1/R, of which the flat road's is 0: F02 = F01 sqrt((1 + r/R2)/(1 + r/R1)).
+/// @param measured N, on the drum of curvature `from` 1/m  @param tire_radius m, r, half the nominal diameter
+/// @returns N, on the drum of curvature `to` 1/m
 [[nodiscard]] double to_drum(double measured, double from, double to, double tire_radius);
 
 /// Rolling resistance that a measurement at another air temperature would have given at 25 degC:

@@ -157,6 +157,21 @@ TEST(DrumCurvature, IsTheRootOfOnePlusTheRatioOfRadii) {
     EXPECT_NEAR(loss_ratio({"drum_curvature"}, rolling()), 1.17795, 1e-5);
 }
 
+TEST(DrumCurvature, CountsFromTheDrumOfTheLaw) {
+    // A law of the drum of 1.707 m: 1 on that drum, 1/sqrt(1 + 0.3308 * 2/1.707) = 1/sqrt(1.387581) = 0.848928 on a flat
+    // road, sqrt(1.3308/1.387581) = 0.979326 on a drum of 2 m.
+    Bench bench = two_nodes();
+    bench.tire.loss_drum_diameter = 1.707;
+    const auto ratio = [&](double curvature) {
+        Whole plain(bench, {{"strain_energy_loss"}});
+        Whole changed(bench, {{"strain_energy_loss"}, {"drum_curvature", {{"curvature", curvature}}}});
+        return changed.ask(rolling()).watts("strain_energy_loss") / plain.ask(rolling()).watts("strain_energy_loss");
+    };
+    EXPECT_NEAR(ratio(2.0 / 1.707), 1.0, 1e-15);
+    EXPECT_NEAR(ratio(0.0), 0.848928, 1e-6);
+    EXPECT_NEAR(ratio(1.0), 0.979326, 1e-6);
+}
+
 TEST(StandingWave, GrowsWithTheSquareBeyondTheCriticalSpeed) {
     // 160 km/h, 20 above 140: 1 + 1e-4 * 400 = 1.04; nothing at 140 and below.
     const Part wave{"standing_wave", {{"gain", 1e-4}, {"critical_speed", 140.0}}};
