@@ -38,8 +38,7 @@ std::optional<input::ExperimentReading> read_measured(const MeasuredCall& call, 
     input::ExperimentReading reading =
         while_reading(call.case_file, [&] { return input::read_experiment(call.case_file, call.data_files(), mode); });
     if (!reading.experiment) {
-        report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings}, consequence,
-                      call.json);
+        report_errors(reading, consequence, call.json);
         return std::nullopt;
     }
     return reading;

@@ -69,7 +69,7 @@ void report_error(const std::string& sentence, const std::string& remedy, bool j
     }
 }
 
-void report_errors(const input::Reading& reading, const std::string& consequence, bool json) {
+void report_errors(const input::CaseFindings& reading, const std::string& consequence, bool json) {
     const std::size_t n = reading.errors.size();
     const std::string sentence = fmt::format("{} {}; {}", n, n == 1 ? "error" : "errors", consequence);
     if (!json) {

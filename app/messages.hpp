@@ -38,6 +38,6 @@ void report_error(const std::string& sentence, const std::string& remedy, bool j
 
 /// Reports all errors of a case at once and counts them: "3 errors; nothing was run".
 /// @param consequence what follows from them, "nothing was run"
-void report_errors(const input::Reading& reading, const std::string& consequence, bool json);
+void report_errors(const input::CaseFindings& reading, const std::string& consequence, bool json);
 
 }  // namespace tiretherm::app

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -21,6 +22,21 @@ template <typename Value>
 [[nodiscard]] inline double median(std::vector<double> values) {
     const std::size_t middle = values.size() / 2;
     return values.empty() ? 0.0 : nth_smallest(std::move(values), middle);
+}
+
+/// The median of the steps by which times go on, those that stand or go back left out; 0 where none goes on.
+/// @param times NaN: left out
+[[nodiscard]] inline double median_step(const std::vector<double>& times) {
+    std::vector<double> steps;
+    steps.reserve(times.size());
+    double last = std::nan("");
+    for (const double time : times) {
+        if (time > last) {
+            steps.push_back(time - last);
+        }
+        last = std::isnan(time) ? last : time;
+    }
+    return median(std::move(steps));
 }
 
 }  // namespace tiretherm::solver

@@ -275,7 +275,7 @@ int check(const CheckOptions& options) {
     const input::ExperimentReading reading =
         input::read_experiment(options.case_file, {options.data.begin(), options.data.end()});
     if (!reading.experiment) {
-        report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
+        report_errors({.errors = reading.errors, .warnings = reading.warnings},
                       "the case cannot be compared with these data", options.json);
         return Exit::input_error;
     }

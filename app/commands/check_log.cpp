@@ -141,8 +141,8 @@ int check_log(const std::filesystem::path& path, const std::vector<std::string>&
     input::InputErrors errors;
     const std::optional<input::LogSurvey> survey = input::survey_log(path, *given, errors);
     if (!survey) {
-        report_errors({.problem = std::nullopt, .errors = errors.in_order(), .warnings = render(errors.warnings(), 0)},
-                      "the log cannot be used", json);
+        report_errors({.errors = errors.in_order(), .warnings = render(errors.warnings(), 0)}, "the log cannot be used",
+                      json);
         return Exit::input_error;
     }
     print_report(report_of(*survey), json);

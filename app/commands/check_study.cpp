@@ -66,8 +66,7 @@ std::optional<int> check_study(const std::filesystem::path& file, bool json) {
     }
     const input::StudyReading reading = input::read_study(file);
     if (!reading.study) {
-        report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
-                      "the study cannot be run", json);
+        report_errors({.errors = reading.errors, .warnings = reading.warnings}, "the study cannot be run", json);
         return Exit::input_error;
     }
     print_study(*reading.study, reading.warnings, json);

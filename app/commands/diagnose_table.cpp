@@ -33,8 +33,7 @@ std::optional<std::size_t> model_of(const MeasuredCall& call, const input::Valid
         return std::nullopt;
     }
     if (!reading.table) {
-        report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings}, consequence,
-                      call.json);
+        report_errors({.errors = reading.errors, .warnings = reading.warnings}, consequence, call.json);
         return std::nullopt;
     }
     std::vector<std::string> keys;

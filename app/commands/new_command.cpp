@@ -269,8 +269,7 @@ int make_case(const NewOptions& options) {
         return Exit::input_error;
     }
     if (!made.errors.empty()) {
-        report_errors({.problem = std::nullopt, .errors = made.errors, .warnings = made.warnings},
-                      "no case was written", options.json);
+        report_errors({.errors = made.errors, .warnings = made.warnings}, "no case was written", options.json);
         return Exit::input_error;
     }
     if (was_stopped("no case was written", options.json)) {

@@ -140,8 +140,7 @@ std::optional<std::vector<input::ChangedRuns>> read_changes(const input::Reading
         }
     }
     if (!errors.empty()) {
-        report_errors({.problem = std::nullopt, .errors = std::move(errors), .warnings = {}}, "nothing was run",
-                      options.json);
+        report_errors({.errors = std::move(errors)}, "nothing was run", options.json);
         return std::nullopt;
     }
     return changes;

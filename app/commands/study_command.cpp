@@ -144,8 +144,7 @@ int study(const StudyOptions& options) {
         return Exit::interrupted;
     }
     if (!reading.study) {
-        report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
-                      "nothing was run", options.json);
+        report_errors({.errors = reading.errors, .warnings = reading.warnings}, "nothing was run", options.json);
         return Exit::input_error;
     }
     const input::Study& study = *reading.study;

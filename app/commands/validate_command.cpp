@@ -50,8 +50,7 @@ bool refuses(input::ValidationReading& reading, const ValidateOptions& options) 
                          "call it in the folder of the source, or give a table: tiretherm validate EXPERIMENTS",
                          options.json);
         } else {
-            report_errors({.problem = std::nullopt, .errors = reading.errors, .warnings = reading.warnings},
-                          "nothing was run", options.json);
+            report_errors({.errors = reading.errors, .warnings = reading.warnings}, "nothing was run", options.json);
         }
         return true;
     }

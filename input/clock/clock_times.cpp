@@ -147,18 +147,6 @@ bool are_minutes(const std::vector<Stamp>& stamps, const Heading& heading, Clock
     return false;
 }
 
-double median_step(const std::vector<double>& times) {
-    std::vector<double> steps;
-    double last = std::nan("");
-    for (const double time : times) {
-        if (time > last) {
-            steps.push_back(time - last);
-        }
-        last = std::isnan(time) ? last : time;
-    }
-    return solver::median(std::move(steps));
-}
-
 /// Whether clocks are changed at this time: early on a Sunday. @param time s since 1970 or of a day  @param dated which of them
 bool may_be_changed(double time, bool dated) {
     constexpr int sunday = 3;  // 1 January 1970 was a Thursday, day 0
@@ -169,7 +157,7 @@ bool may_be_changed(double time, bool dated) {
 
 /// Adds what a clock that has passed midnight, or has been changed by an hour, no longer shows.
 void count_on(std::vector<double>& times, bool dated, const Heading& heading, ClockTimes& into) {
-    const double step = median_step(times);
+    const double step = solver::median_step(times);
     const double longest = 3.0 * step;  // between lines that follow one another
     double added = 0.0;
     double last = std::nan("");

@@ -63,18 +63,11 @@ LocatedString ColumnKeys::name_of(const std::string& heading, const SourceLocati
     return name != nullptr ? *name : LocatedString{heading, place};
 }
 
-const LocatedString* ColumnKeys::unit_of(const std::string& heading) {
-    if (const Key* key = find(units_, heading)) {
+const LocatedString* ColumnKeys::value_of(std::vector<Key> ColumnKeys::*keys, const std::string& word) {
+    if (const Key* key = find(this->*keys, word)) {
         return &key->value;
     }
-    return shared_ != nullptr ? shared_->unit_of(heading) : nullptr;
-}
-
-const LocatedString* ColumnKeys::unit_named(const std::string& unit) {
-    if (const Key* key = find(unit_names_, unit)) {
-        return &key->value;
-    }
-    return shared_ != nullptr ? shared_->unit_named(unit) : nullptr;
+    return shared_ != nullptr ? shared_->value_of(keys, word) : nullptr;
 }
 
 bool ColumnKeys::ignores(const std::string& heading) {

@@ -74,11 +74,17 @@ void DriveReader::read_schedule(TomlTable& table) {
     }
 }
 
+void DriveReader::add(const MeasuredInput& input) {
+    if (!input.value.empty()) {
+        read_.signals.inputs.add(
+            solver::Series{.signal = input.signal, .time = input.time, .value = input.value, .logged = true});
+    }
+}
+
 void DriveReader::add_measured(InputErrors& errors) {
     for (const MeasuredInput& input : run_->inputs) {
-        if (register_signal(input.signal->name, input.place, run_->place, errors) && !input.value.empty()) {
-            read_.signals.inputs.add(
-                solver::Series{.signal = input.signal, .time = input.time, .value = input.value, .logged = true});
+        if (register_signal(input.signal->name, input.place, run_->place, errors)) {
+            add(input);
         }
     }
     // Which inputs the file would have given is unknown: none of them is missing.

@@ -24,13 +24,10 @@ private:
     void read_schedule(TomlTable& table);
     /// One [[drive.file]]: a logger's file.
     void read_log(TomlTable& table);
-    /// The time first, then the columns that the case takes from this file.
-    /// @param outranked out, whether a measured run's file or a constant of the case gives an input instead
-    std::vector<ColumnRequest> requests(const TomlTable& table, const DataFile& file, const RunColumns& columns,
-                                        bool& outranked);
-    /// @param column that is wanted  @param value [time], NaN where it is missing
-    void take_column(const DataFile& file, const ColumnRequest& column, ColumnKeys& keys,
-                     const solver::SharedSamples& time, std::vector<double>& value, InputErrors& errors);
+    /// Takes away columns that the case does not take from this file.
+    /// @returns whether a measured run's file or a constant of the case gives an input instead
+    bool leave_out_outranked(const TomlTable& table, const DataFile& file, RunColumns& columns);
+    void add(const MeasuredInput& input);
     /// The inputs that a measured run's file gives.
     void add_measured(InputErrors& errors);
     /// Whether the measured run's file gives a signal that stands in [drive] at this key.

@@ -9,41 +9,29 @@
 #include "input/drive/drive_reader.hpp"
 #include "input/drive/run_columns.hpp"
 #include "input/drive/run_inputs.hpp"
-#include "input/measurements/dead_stretches.hpp"
 #include "input/measurements/logged_signal.hpp"
-#include "input/tables/data_file.hpp"
-#include "input/text/quantity_specs.hpp"
-#include "input/vehicle/dead_channels.hpp"
+#include "input/vehicle/vehicle_log.hpp"
 
 namespace tiretherm::input {
 
-namespace fs = std::filesystem;
-
-std::vector<ColumnRequest> DriveReader::requests(const TomlTable& table, const DataFile& file,
-                                                 const RunColumns& columns, bool& outranked) {
+bool DriveReader::leave_out_outranked(const TomlTable& table, const DataFile& file, RunColumns& columns) {
     InputErrors& errors = table.errors();
-    std::vector<ColumnRequest> found{file.request(columns.time, "time", quantity_specs::moment, Purpose::clock)};
+    const std::size_t before = errors.count();
     const auto place_of = [&](int column) { return file.heads()[static_cast<std::size_t>(column)].place; };
-    for (const auto& [column, name, input, is_sensor] : columns.used) {
-        const std::size_t before = errors.count();
-        if (!overridden("file", name) && register_signal(name, place_of(column), table.place("path"), errors)) {
-            found.push_back(file.request(column, name, quantity_specs::of(*input)));
-        } else {
-            outranked = outranked || errors.count() == before;
+    const std::size_t not_taken = std::erase_if(columns.used, [&](const UsedColumn& column) {
+        return overridden("file", column.name) ||
+               !register_signal(column.name, place_of(column.column), table.place("path"), errors);
+    });
+    const std::size_t given_twice = errors.count() - before;
+    std::erase_if(columns.followed, [&](const FollowedColumn& column) {
+        const bool is_second = find_column(read_.signals.columns, column.name) != nullptr;
+        if (is_second) {
+            errors.add(place_of(column.column), fmt::format("a second column is called {}", column.name),
+                       "ignore one of them");
         }
-    }
-    read_.signals.columns.reserve(read_.signals.columns.size() + columns.followed.size());  // requests look into it
-    for (const auto& [column, name] : columns.followed) {
-        if (std::ranges::find(read_.signals.columns, name, &UserColumn::name) != read_.signals.columns.end()) {
-            errors.add(place_of(column), fmt::format("a second column is called {}", name), "ignore one of them");
-            continue;
-        }
-        // Its own unit says what its numbers are.
-        const Heading& heading = file.heads()[static_cast<std::size_t>(column)].heading;
-        read_.signals.columns.push_back({.name = name, .unit = base_unit(heading.unit), .signal = {}});
-        found.push_back(file.request(column, name, {.unit = read_.signals.columns.back().unit}));
-    }
-    return found;
+        return is_second;
+    });
+    return not_taken > given_twice;
 }
 
 void DriveReader::read_log(TomlTable& table) {
@@ -55,72 +43,46 @@ void DriveReader::read_log(TomlTable& table) {
         return;
     }
     const SourceLocation mentioned = table.place("path");
-    std::optional<DataFile> file = DataFile::open(errors.beside(mentioned, *path), mentioned, errors);
-    if (!file) {
+    std::optional<DataFile> opened = DataFile::open(errors.beside(mentioned, *path), mentioned, errors);
+    if (!opened) {
         return;
     }
     const std::size_t before = errors.count();
-    const RunColumns columns = classify_columns(*file, keys, {}, followed_, errors);
-    for (const UsedColumn& column : columns.used) {
+    RunColumns columns = classify_columns(*opened, keys, {}, followed_, errors);
+    RunFile file{.file = std::move(*opened), .columns = std::move(columns)};
+    for (const UsedColumn& column : file.columns.used) {
         static_cast<void>(keys.holds(column.name));  // which is known then
     }
-    for (const FollowedColumn& column : columns.followed) {
+    for (const FollowedColumn& column : file.columns.followed) {
         static_cast<void>(keys.holds(column.name));
     }
     keys.report_unknown_columns(errors);
-    if (columns.time < 0) {
-        errors.add(file->heads().front().place, "the file has no column time [s]",
-                   "rename one: columns = { t = \"time\" }");
-        return;
-    }
-    bool outranked = false;
-    const std::vector<ColumnRequest> requested = requests(table, *file, columns, outranked);
-    if (requested.size() == 1 && !outranked && errors.count() == before) {
+    const bool outranked = leave_out_outranked(table, file.file, file.columns);
+    const bool has_times = read_times(file, errors);
+    file.last = file.time.size();
+    if (has_times && file.columns.chosen().empty() && !outranked && errors.count() == before) {
         table.add_error("path", "no column of the file is an input",
                         "rename columns to inputs: columns = { V = \"speed\" }");
         return;
     }
-    std::vector<int> rows;
-    std::ranges::transform(requested, std::back_inserter(rows), &ColumnRequest::column);
-    file->choose_rows(rows);
-    std::vector<std::vector<double>> values = file->read(requested, errors);
-    if (values.empty()) {
+    DrivingColumns driving = read_driving(file, keys, false, errors);
+    if (!has_times) {
         return;
     }
-    const solver::SharedSamples time = std::move(values.front());
+    const std::vector<double>& time = file.time;
     if (std::ranges::any_of(followed_, is_vehicle_signal)) {
-        read_.signals.course = course_over_ground(*file, time, errors);
+        read_.signals.course = course_over_ground(file.file, time, errors);
     }
     DrivenSpan& span = read_.span;
     span.logged_from = std::min(span.logged_from.value_or(time.front()), time.front());
     span.logged_to = std::max(span.logged_to.value_or(time.back()), time.back());
-    if (values.size() > 1) {
+    if (!file.columns.chosen().empty()) {
         take_driven(time);
     }
-    for (std::size_t i = 1; i < values.size(); ++i) {
-        take_column(*file, requested[i], keys, time, values[i], errors);
+    for (const MeasuredInput& input : driving.inputs) {
+        add(input);
     }
-}
-
-void DriveReader::take_column(const DataFile& file, const ColumnRequest& column, ColumnKeys& keys,
-                              const solver::SharedSamples& time, std::vector<double>& value, InputErrors& errors) {
-    const std::string& name = column.name;
-    const SourceLocation& place = file.heads()[static_cast<std::size_t>(column.column)].place;
-    leave_out_dead(column, place, keys, time, value, errors);
-    const auto found = driving_samples(
-        {.name = name, .time = time, .value = std::move(value), .holds = keys.holds(name), .before = {}},
-        {.place = place, .elsewhere = fmt::format("ignore the column and give {} in [drive]", name)}, errors);
-    if (!found) {
-        return;
-    }
-    if (const physics::Signal* signal = physics::find_signal(name)) {
-        read_.signals.inputs.add(
-            solver::Series{.signal = signal, .time = found->time, .value = found->value, .logged = true});
-    } else {
-        UserColumn& own = *std::ranges::find(read_.signals.columns, name, &UserColumn::name);
-        own.signal = {.time = found->time, .value = found->value};
-        own.beside = live_column_beside(file, column.column, own, time, errors);
-    }
+    std::ranges::move(driving.followed, std::back_inserter(read_.signals.columns));
 }
 
 }  // namespace tiretherm::input

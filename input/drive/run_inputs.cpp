@@ -59,6 +59,22 @@ bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
 
 }  // namespace
 
+bool read_times(RunFile& file, InputErrors& errors) {
+    file.file.choose_rows(file.columns.chosen());
+    if (file.columns.time < 0) {
+        errors.add(file.file.heads().front().place, "the file has no column time [s]",
+                   "rename one: columns = { t = \"time\" }");
+        return false;
+    }
+    std::vector<std::vector<double>> read =
+        file.file.read({file.file.request(file.columns.time, "time", quantity_specs::moment, Purpose::clock)}, errors);
+    if (read.empty()) {
+        return false;
+    }
+    file.time = std::move(read.front());
+    return true;
+}
+
 std::optional<RunFile> open_run_file(const RunTable& run, const TomlValue& document,
                                      const std::vector<std::string>& sensors, const std::vector<std::string>& followed,
                                      InputErrors& errors) {
@@ -75,19 +91,8 @@ std::optional<RunFile> open_run_file(const RunTable& run, const TomlValue& docum
     }
     RunColumns columns = classify_columns(*file, *run.keys, sensors, followed, errors);
     RunFile opened{.file = std::move(*file), .columns = std::move(columns)};
-    opened.file.choose_rows(opened.columns.chosen());
-    if (opened.columns.time < 0) {
-        errors.add(opened.file.heads().front().place, "the file has no column time [s]",
-                   "rename one: columns = { t = \"time\" }");
-        return opened;
-    }
-    std::vector<std::vector<double>> read = opened.file.read(
-        {opened.file.request(opened.columns.time, "time", quantity_specs::moment, Purpose::clock)}, errors);
-    if (!read.empty()) {
-        opened.time = std::move(read.front());
-        if (!find_samples(run, opened, errors)) {
-            opened.time.clear();
-        }
+    if (read_times(opened, errors) && !find_samples(run, opened, errors)) {
+        opened.time.clear();
     }
     return opened;
 }
@@ -101,43 +106,58 @@ std::vector<double> cut(std::vector<double> all, const RunFile& file) {
     return all;
 }
 
-/// The columns that user effects follow, in base units whatever their unit is.
-void read_followed(const RunFile& file, ColumnKeys& keys, RunInputs& into, InputErrors& errors) {
-    const std::vector<FollowedColumn>& followed = file.columns.followed;
+}  // namespace
+
+DrivingColumns read_driving(const RunFile& file, ColumnKeys& keys, bool can_split, InputErrors& errors) {
+    DrivingColumns found;
     std::vector<ColumnRequest> requests;
-    into.columns.reserve(followed.size());  // requests look into it
-    for (const FollowedColumn& column : followed) {
-        const ColumnHead& head = file.file.heads()[static_cast<std::size_t>(column.column)];
-        into.columns.push_back({.name = column.name, .unit = base_unit(head.heading.unit), .signal = {}});
-        requests.push_back(file.file.request(column.column, column.name, {.unit = into.columns.back().unit}));
+    const auto head_of = [&](int column) { return file.file.heads()[static_cast<std::size_t>(column)]; };
+    for (const UsedColumn& column : file.columns.used) {
+        if (column.input != nullptr) {
+            requests.push_back(file.file.request(column.column, column.name, quantity_specs::of(*column.input)));
+            found.inputs.push_back(
+                {.signal = column.input, .place = head_of(column.column).place, .time = {}, .value = {}});
+        }
+    }
+    found.followed.reserve(file.columns.followed.size());  // requests look into it
+    for (const FollowedColumn& column : file.columns.followed) {
+        // Its own unit says what its numbers are.
+        const std::string unit = base_unit(head_of(column.column).heading.unit);
+        found.followed.push_back({.name = column.name, .unit = unit, .signal = {}});
+        requests.push_back(file.file.request(column.column, column.name, {.unit = found.followed.back().unit}));
     }
     std::vector<std::vector<double>> read = file.file.read(requests, errors);
     const solver::SharedSamples time = cut(file.time, file);
-    for (std::size_t i = 0; !file.time.empty() && i < read.size(); ++i) {
-        const SourceLocation& place = file.file.heads()[static_cast<std::size_t>(followed[i].column)].place;
-        const auto found = driving_samples(
-            {.name = followed[i].name,
+    for (std::size_t i = 0; i < read.size() && !file.time.empty(); ++i) {
+        const ColumnRequest& column = requests[i];
+        const SourceLocation place = head_of(column.column).place;
+        const bool is_input = i < found.inputs.size();
+        const std::string dead =
+            keys.keeps_suspicious() ? std::string() : remove_dead(file.time, read[i], column.spec.unit);
+        if (!dead.empty()) {
+            errors.warn(place, "{} {}: left out", column.name, dead);
+        }
+        const auto samples = driving_samples(
+            {.name = column.name,
              .time = time,
              .value = cut(std::move(read[i]), file),
-             .holds = keys.holds(followed[i].name),
+             .holds = keys.holds(column.name),
              .before = file.repeated},
-            {.place = place, .elsewhere = "let the effect follow another signal", .can_split = true}, errors);
-        if (found) {
-            into.columns[i].signal = {.time = found->time, .value = found->value};
-            into.columns[i].beside =
-                live_column_beside(file.file, followed[i].column, into.columns[i], file.time, errors);
+            {.place = place,
+             .elsewhere = is_input ? fmt::format("ignore the column and give {} in [drive]", column.name)
+                                   : "let the effect follow another signal",
+             .can_split = can_split},
+            errors);
+        if (samples && is_input) {
+            found.inputs[i].time = samples->time;
+            found.inputs[i].value = samples->value;
+        } else if (samples) {
+            UserColumn& own = found.followed[i - found.inputs.size()];
+            own.signal = {.time = samples->time, .value = samples->value};
+            own.beside = live_column_beside(file.file, column.column, own, file.time, errors);
         }
     }
-}
-
-}  // namespace
-
-void leave_out_dead(const ColumnRequest& column, const SourceLocation& place, const ColumnKeys& keys,
-                    const std::vector<double>& time, std::vector<double>& value, InputErrors& errors) {
-    const std::string dead = keys.keeps_suspicious() ? std::string() : remove_dead(time, value, column.spec.unit);
-    if (!dead.empty()) {
-        errors.warn(place, "{} {}: left out", column.name, dead);
-    }
+    return found;
 }
 
 RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors& errors) {
@@ -154,44 +174,18 @@ RunInputs read_run_inputs(const RunTable& run, const RunFile* file, InputErrors&
     for (const ColumnHead& head : file->file.heads()) {
         into.headings.push_back(head.heading.name);
     }
-    read_followed(*file, *run.keys, into, errors);
-    std::vector<ColumnRequest> requests;
-    for (const UsedColumn& column : file->columns.used) {
-        if (column.input != nullptr) {
-            const ColumnHead& head = file->file.heads()[static_cast<std::size_t>(column.column)];
-            requests.push_back(file->file.request(column.column, column.name, quantity_specs::of(*column.input)));
-            into.inputs.push_back({.signal = column.input, .place = head.place, .time = {}, .value = {}});
-        }
-    }
-    std::vector<std::vector<double>> read = file->file.read(requests, errors);
+    DrivingColumns driving = read_driving(*file, *run.keys, true, errors);
+    into.inputs = std::move(driving.inputs);
+    into.columns = std::move(driving.followed);
     if (file->time.empty()) {
         return into;
     }
-    const solver::SharedSamples time = cut(file->time, *file);
     into.lead = file->repeated.lead();
     into.left_out = file->left_out;
     into.file_first = file->time.front();
     into.part_of_file = run.from || run.laps;
-    into.first = time.front() - into.lead;
-    into.last = time.back();
-    for (std::size_t i = 0; i < read.size(); ++i) {
-        MeasuredInput& input = into.inputs[i];
-        const std::string& name = requests[i].name;
-        leave_out_dead(requests[i], input.place, *run.keys, file->time, read[i], errors);
-        const auto found = driving_samples({.name = name,
-                                            .time = time,
-                                            .value = cut(std::move(read[i]), *file),
-                                            .holds = run.keys->holds(name),
-                                            .before = file->repeated},
-                                           {.place = input.place,
-                                            .elsewhere = fmt::format("ignore the column and give {} in [drive]", name),
-                                            .can_split = true},
-                                           errors);
-        if (found) {
-            input.time = found->time;
-            input.value = found->value;
-        }
-    }
+    into.first = file->time[file->first] - into.lead;
+    into.last = file->time[file->last - 1];
     return into;
 }
 

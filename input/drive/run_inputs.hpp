@@ -30,9 +30,17 @@ struct RunFile {
                                                    const std::vector<std::string>& sensors,
                                                    const std::vector<std::string>& followed, InputErrors& errors);
 
-/// Makes missing what a column says while nothing is measured, with a warning, unless the case keeps it.
-void leave_out_dead(const ColumnRequest& column, const SourceLocation& place, const ColumnKeys& keys,
-                    const std::vector<double>& time, std::vector<double>& value, InputErrors& errors);
+/// Reads the times of the rows that the chosen columns have. @returns false after an error
+bool read_times(RunFile& file, InputErrors& errors);
+
+/// What a file gives that drives something.
+struct DrivingColumns {
+    std::vector<MeasuredInput> inputs{};
+    std::vector<UserColumn> followed{};  ///< in base units whatever their unit is; without points after an error
+};
+/// The inputs and the followed columns of a file, from its `first` sample to its `last`. What a column says while nothing is measured
+/// is missing, with a warning, unless the case keeps it. @param can_split as GapRemedy has it
+[[nodiscard]] DrivingColumns read_driving(const RunFile& file, ColumnKeys& keys, bool can_split, InputErrors& errors);
 
 /// The inputs that the file gives. A missing sample is left out, so that the input goes straight between its neighbours;
 /// where too much is missing that would be an invention, and is an error.

@@ -26,9 +26,13 @@ public:
 
     /// The name a heading stands for: its own, unless `columns` gives it another.
     [[nodiscard]] LocatedString name_of(const std::string& heading, const SourceLocation& place);
-    [[nodiscard]] const LocatedString* unit_of(const std::string& heading);  ///< null when `units` has none
+    [[nodiscard]] const LocatedString* unit_of(const std::string& heading) {  ///< null when `units` has none
+        return value_of(&ColumnKeys::units_, heading);
+    }
     /// What a heading's unit is called in truth, null when `unit_names` does not say.
-    [[nodiscard]] const LocatedString* unit_named(const std::string& unit);
+    [[nodiscard]] const LocatedString* unit_named(const std::string& unit) {
+        return value_of(&ColumnKeys::unit_names_, unit);
+    }
     [[nodiscard]] bool ignores(const std::string& heading);
     /// Whether a signal, by the name that the model knows, keeps each value until the next sample.
     [[nodiscard]] bool holds(const std::string& name);
@@ -47,6 +51,8 @@ private:
     };
     static void read_words(TomlTable table, std::vector<Key>& into);
     static Key* find(std::vector<Key>& keys, const std::string& word);
+    /// What a key says, here or in [data]; null where none does.
+    [[nodiscard]] const LocatedString* value_of(std::vector<Key> ColumnKeys::*keys, const std::string& word);
     /// Keys that are a column of no file. Valid as long as this.
     [[nodiscard]] std::vector<const Key*> unknown_columns() const;
     void warn_of_unknown_columns(InputErrors& errors) const;

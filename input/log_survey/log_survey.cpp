@@ -15,6 +15,7 @@
 #include "input/loggers/heading_names.hpp"
 #include "input/loggers/logger_units.hpp"
 #include "input/measurements/data_warnings.hpp"
+#include "input/measurements/logged_signal.hpp"
 #include "input/new_case/log_columns.hpp"
 #include "input/runs/runs.hpp"
 #include "input/tables/dead_codes.hpp"
@@ -47,31 +48,20 @@ Known known_of(const DataFile& file, const LogColumn& log, const solver::SharedS
         return {.time = samples.value.empty() ? solver::SharedSamples(std::vector<double>()) : time,
                 .value = std::move(samples.value)};
     }
-    std::vector<double> times;
-    for (std::size_t i = 0; i < samples.value.size(); ++i) {
-        if (!is_missing(samples.value[i])) {
-            times.push_back(samples.time[i]);
-        }
-    }
-    std::erase_if(samples.value, is_missing);
-    return {.time = std::move(times), .value = std::move(samples.value), .left_out = dead.sentence};
+    std::ranges::replace_if(samples.value, is_missing, std::nan(""));
+    solver::SignalHistory known = known_samples(samples.time, samples.value);
+    return {.time = std::move(known.time), .value = std::move(known.value), .left_out = dead.sentence};
 }
 
 /// Rate by the median step, and what is missing at it.
 /// @param rows that could have a value
 void set_rate(ColumnSurvey& column, const Known& known, double from, double to, std::size_t rows) {
     column.samples = known.time.size();
-    std::vector<double> steps;
-    steps.reserve(known.time.size());
-    for (std::size_t i = 1; i < known.time.size(); ++i) {
-        if (known.time[i] > known.time[i - 1]) {
-            steps.push_back(known.time[i] - known.time[i - 1]);
-        }
-    }
-    if (steps.empty()) {
+    const double step = solver::median_step(known.time);
+    if (step == 0.0) {
         return;
     }
-    column.rate = 1.0 / solver::median(std::move(steps));
+    column.rate = 1.0 / step;
     const double expected = std::floor((to - from) * column.rate + 1e-3) + 1.0;
     const auto n = static_cast<double>(known.time.size());
     const double lacking = std::min(expected - n, static_cast<double>(rows) - n);  // an uneven clock empties no field

@@ -27,22 +27,6 @@ struct Missing {
     double from = 0.0;         ///< s, where the longest begins
 };
 
-/// Time between the samples that have a value, the median; 0 with fewer than two of them.
-double pace_of(const std::vector<double>& time, const std::vector<double>& value) {
-    std::vector<double> steps;
-    steps.reserve(time.size());
-    double last = std::nan("");
-    for (std::size_t i = 0; i < time.size(); ++i) {
-        if (!std::isnan(value[i])) {
-            if (time[i] > last) {
-                steps.push_back(time[i] - last);
-            }
-            last = time[i];
-        }
-    }
-    return solver::median(std::move(steps));
-}
-
 /// A channel that was recorded more slowly than others has a value in every second or tenth line alone: missing is what its
 /// own pace lacks. Of lines without a value at most as many are missing as there are.
 Missing find_missing(const std::vector<double>& time, const std::vector<double>& value) {
@@ -51,7 +35,7 @@ Missing find_missing(const std::vector<double>& time, const std::vector<double>&
         return missing;
     }
     missing.expected = 0;
-    const double pace = pace_of(time, value);
+    const double pace = solver::median_step(known_samples(time, value).time);
     double known = time.front();
     std::size_t empty = 0;  // lines without a value since the last one with it
     const auto close = [&](double until, bool at_end) {

@@ -19,6 +19,12 @@ std::vector<std::string> not_driven(const Experiment& experiment) {
     return unique(sentences);
 }
 
+void CaseFindings::take(const InputErrors& said) {
+    errors = said.in_order();
+    warnings = render(said.warnings(), corners.size());
+    files = said.files();
+}
+
 ExperimentReading read_experiment(const std::filesystem::path& file, const std::vector<std::filesystem::path>& data,
                                   ReadMode mode, const MeshChange& change) {
     InputErrors errors;
@@ -37,11 +43,8 @@ ExperimentReading read_experiment(const std::filesystem::path& file, const std::
                        "add [[run]] with file = \"....csv\", or give files beside the case: --data run.csv");
         }
     }
-    reading.errors = errors.in_order();
-    reading.warnings = render(errors.warnings(), runs.corners.size());
-    reading.files = errors.files();
-    reading.data_warnings = std::move(runs.data_warnings);
-    reading.plies = std::move(runs.plies);
+    static_cast<CaseFindings&>(reading) = runs;
+    reading.take(errors);
     if (reading.errors.empty()) {
         reading.experiment = std::move(runs.experiment);
     }

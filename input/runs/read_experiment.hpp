@@ -10,19 +10,29 @@
 
 #include "input/materials/ply_summary.hpp"
 #include "input/measurements/experiment.hpp"
+#include "input/model/size_limits.hpp"
 #include "input/parameters/mesh_change.hpp"
 #include "input/text/input_error.hpp"
 
 namespace tiretherm::input {
 
+/// What comes of reading a case beside what it is read for.
+struct CaseFindings {
+    std::vector<InputError> errors{};          ///< all of the case and of its files, in the order of their places
+    std::vector<std::string> warnings{};       ///< unusual but possible: "case.toml:12: ..."
+    std::vector<std::string> data_warnings{};  ///< what is suspicious about the logs of its runs, a sentence each
+    std::vector<std::string> files{};          ///< all that were read: the case, what it includes, logs, frames, tables
+    SizeLimits limits{};
+    std::vector<PlySummary> plies{};     ///< materials of cords in rubber that layers are made of
+    std::vector<std::string> corners{};  ///< of the case: FL, FR ...; empty: it is of one tire
+
+    /// Takes what was said so far. What several corners say alike stands once.
+    void take(const InputErrors& said);
+};
+
 /// An experiment that has been read. There is one exactly when there is no error.
-struct ExperimentReading {
-    std::optional<Experiment> experiment;
-    std::vector<InputError> errors;
-    std::vector<std::string> warnings;
-    std::vector<std::string> data_warnings;  ///< what is suspicious about the data, a sentence each
-    std::vector<std::string> files{};        ///< all that were read: the case, what it includes, logs, frames, tables
-    std::vector<PlySummary> plies{};         ///< materials of cords in rubber that layers are made of
+struct ExperimentReading : CaseFindings {
+    std::optional<Experiment> experiment{};
 };
 
 /// Whether measured values are required.

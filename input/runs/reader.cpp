@@ -72,7 +72,6 @@ std::vector<RunOfCase> choose(const Runs& runs, const std::string& name, bool is
 Reading read_case(const fs::path& file, const std::string* text, const std::string* run) {
     InputErrors errors;
     std::optional<solver::Problem> problem;
-    std::size_t corners = 0;
     Reading reading;
     if (const std::optional<TomlValue> document = read_document(file, errors, text)) {
         const Runs runs =
@@ -91,17 +90,12 @@ Reading read_case(const fs::path& file, const std::string* text, const std::stri
                        fmt::format("the case has no run \"{}\"", asked), suggest(asked, names, "runs"));
         }
         problem = runs.problem_of(asked);
-        corners = runs.corners.size();
-        reading.data_warnings = runs.data_warnings;
-        reading.limits = runs.limits;
-        reading.plies = runs.plies;
+        static_cast<CaseFindings&>(reading) = runs;
         if (run != nullptr && errors.count() == 0) {
             reading.chosen = choose(runs, asked, tables != nullptr);
         }
     }
-    reading.errors = errors.in_order();
-    reading.warnings = render(errors.warnings(), corners);
-    reading.files = errors.files();
+    reading.take(errors);
     if (reading.errors.empty()) {
         take_away_cameras(*problem);
         reading.problem = std::move(problem);
@@ -123,7 +117,7 @@ Reading read_case(const fs::path& file, const std::string& text) { return read_c
 
 Reading read_case_run(const fs::path& file, const std::string& run) { return read_case(file, nullptr, &run); }
 
-std::string render(const Reading& reading) {
+std::string render(const CaseFindings& reading) {
     std::string text;
     for (const InputError& error : reading.errors) {
         text += render(error);

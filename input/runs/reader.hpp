@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "input/laps/laps.hpp"
-#include "input/materials/ply_summary.hpp"
-#include "input/model/size_limits.hpp"
-#include "input/text/input_error.hpp"
+#include "input/runs/read_experiment.hpp"
 #include "input/toml/document.hpp"
 #include "solver/problem.hpp"
 
@@ -27,17 +25,11 @@ struct RunOfCase {
 };
 
 /// A case that has been read. There is a problem exactly when there is no error.
-struct Reading {
-    std::optional<solver::Problem> problem;
-    std::vector<InputError> errors;            ///< all of the case and of its files, in the order of their places
-    std::vector<std::string> warnings;         ///< unusual but possible: "case.toml:12: ..."
-    std::vector<std::string> data_warnings{};  ///< what is suspicious about the logs of its runs, a sentence each
-    std::vector<std::string> files{};          ///< all that were read: the case, what it includes, logs, tables
-    std::vector<std::string> runs{};           ///< names of the case's [[run]] tables; empty without any
-    std::string run{};                         ///< of them that which the problem is
-    std::vector<RunOfCase> chosen{};           ///< of read_case_run: one run, or that of each corner
-    SizeLimits limits{};
-    std::vector<PlySummary> plies{};  ///< materials of cords in rubber that layers are made of
+struct Reading : CaseFindings {
+    std::optional<solver::Problem> problem{};
+    std::vector<std::string> runs{};  ///< names of the case's [[run]] tables; empty without any
+    std::string run{};                ///< of them that which the problem is
+    std::vector<RunOfCase> chosen{};  ///< of read_case_run: one run, or that of each corner
 };
 
 /// Reads a case file with all that it includes and mentions. Never throws on account of what a user wrote.
@@ -53,6 +45,6 @@ struct Reading {
 [[nodiscard]] Reading read_case(const std::filesystem::path& file, const std::string& text);
 
 /// All errors and warnings of a reading as a compiler shows them, empty when there is none.
-[[nodiscard]] std::string render(const Reading& reading);
+[[nodiscard]] std::string render(const CaseFindings& reading);
 
 }  // namespace tiretherm::input

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "input/materials/ply_summary.hpp"
-#include "input/model/size_limits.hpp"
 #include "input/runs/read_experiment.hpp"
 #include "input/toml/document.hpp"
 #include "solver/hot_spot/hot_spot.hpp"
@@ -15,14 +13,10 @@
 namespace tiretherm::input {
 
 /// A case with all its runs, as far as they could be read: sound only where there is no error.
-struct Runs {
-    solver::Problem problem;  ///< of the first run, or of the case itself
-    Experiment experiment;
-    std::vector<std::string> data_warnings;  ///< those of several corners once
-    std::vector<std::string> corners{};      ///< of the case: FL, FR ...; empty: it is of one tire
-    SizeLimits limits;
+struct Runs : CaseFindings {
+    solver::Problem problem{};  ///< of the first run, or of the case itself
+    Experiment experiment{};
     std::vector<solver::Critical> critical{};  ///< of `problem`
-    std::vector<PlySummary> plies{};           ///< materials of cords in rubber that layers are made of
 
     /// The problem of a run by its name; of the first where that is empty or unknown.
     [[nodiscard]] const solver::Problem& problem_of(const std::string& run) const;

@@ -120,22 +120,20 @@ void CsvRows::parse(std::vector<TableColumn>& columns, InputErrors& errors) {
         parsers.emplace_back(columns[i], i, has_commas_).reserve(std::min(lines, body.size() / n_columns_ + 1));
     }
     std::vector<Ragged> ragged;
-    std::string_view rest = body;
-    std::vector<std::string_view> fields;
-    for (CsvLine line{{}, first_line_ - 1}; next_row(rest, names_, line);) {
-        split_fields(line.text, separator_, fields);
-        if (!is_row(fields)) {
+    using Fields = std::vector<std::string_view>;
+    each(
+        [&](const CsvLine& line, const Fields& fields) {
+            if (n_rows_ % marked_rows == 0) {
+                marked_.push_back({static_cast<std::size_t>(line.text.data() - text->data()), line.number});
+            }
+            for (ColumnParser& parser : parsers) {
+                parser.take(fields, line);
+            }
+            ++n_rows_;
+        },
+        [&](const CsvLine& line, const Fields& fields) {
             ragged.push_back({line, fields.size()});
-            continue;
-        }
-        if (n_rows_ % marked_rows == 0) {
-            marked_.push_back({static_cast<std::size_t>(line.text.data() - text->data()), line.number});
-        }
-        for (ColumnParser& parser : parsers) {
-            parser.take(fields, line);
-        }
-        ++n_rows_;
-    }
+        });
     const auto is_time = [](const TableColumn& column) {
         return column.head.is_clock || column.head.heading.name == "time";
     };

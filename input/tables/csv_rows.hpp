@@ -37,15 +37,7 @@ public:
     /// Calls `take` with the line and the fields of each row.
     template <typename Take>
     void each(const Take& take) const {
-        const std::shared_ptr<const std::string> text = source_->get();
-        std::string_view rest = std::string_view(*text).substr(std::min(body_, text->size()));
-        std::vector<std::string_view> fields;
-        for (CsvLine line{{}, first_line_ - 1}; next_row(rest, names_, line);) {
-            split_fields(line.text, separator_, fields);
-            if (is_row(fields)) {
-                take(line, fields);
-            }
-        }
+        each(take, [](const CsvLine& /*line*/, const std::vector<std::string_view>& /*fields*/) {});
     }
 
     /// Where a field of a row stands, and its text; of column -1 the row. Nowhere in a file that has been changed meanwhile.
@@ -58,6 +50,17 @@ private:
         std::size_t fields = 0;
     };
     [[nodiscard]] bool is_row(const std::vector<std::string_view>& fields) const;
+    /// @param leave is called in the place of `take` for lines that are no rows
+    template <typename Take, typename Leave>
+    void each(const Take& take, const Leave& leave) const {
+        const std::shared_ptr<const std::string> text = source_->get();
+        std::string_view rest = std::string_view(*text).substr(std::min(body_, text->size()));
+        std::vector<std::string_view> fields;
+        for (CsvLine line{{}, first_line_ - 1}; next_row(rest, names_, line);) {
+            split_fields(line.text, separator_, fields);
+            is_row(fields) ? take(line, fields) : leave(line, fields);
+        }
+    }
     /// @param end of the text
     void report(const std::vector<Ragged>& ragged, const char* end, bool is_log, InputErrors& errors) const;
     /// Where a line that was marked begins, from the start of the text on.

@@ -19,18 +19,17 @@ namespace tiretherm::input {
 namespace {
 
 constexpr std::array<VehicleSignal, 5> table{{
-    {"longitudinal_acceleration", "m s-2", -80.0, 80.0, "positive when the car speeds up"},
-    {"lateral_acceleration", "m s-2", -80.0, 80.0, "positive in left turns, or as lateral_acceleration_sign says"},
-    {"yaw_rate", "rad s-1", -6.0, 6.0, "positive in left turns, or as yaw_rate_sign says"},
-    {"steering_wheel_angle", "rad", -30.0, 30.0, "positive to the left, or as steering_sign says"},
-    {"brake_pressure", "", 0.0, 0.0, "in any unit, 0 when the brakes are released", true},
+    {"longitudinal_acceleration", &VehicleLog::longitudinal_acceleration, "m s-2", "m/s2", "g", -80.0, 80.0,
+     "positive when the car speeds up"},
+    {"lateral_acceleration", &VehicleLog::lateral_acceleration, "m s-2", "m/s2", "g", -80.0, 80.0,
+     "positive in left turns, or as lateral_acceleration_sign says"},
+    {"yaw_rate", &VehicleLog::yaw_rate, "rad s-1", "rad/s", "deg/s", -6.0, 6.0,
+     "positive in left turns, or as yaw_rate_sign says"},
+    {"steering_wheel_angle", &VehicleLog::steering_wheel_angle, "rad", "rad", "deg", -30.0, 30.0,
+     "positive to the left, or as steering_sign says"},
+    {"brake_pressure", &VehicleLog::brake_pressure, "", "", "", 0.0, 0.0, "in any unit, 0 when the brakes are released",
+     true},
 }};
-constexpr std::array members{&VehicleLog::longitudinal_acceleration, &VehicleLog::lateral_acceleration,
-                             &VehicleLog::yaw_rate, &VehicleLog::steering_wheel_angle, &VehicleLog::brake_pressure};
-
-std::string_view shown_unit(const VehicleSignal& signal) {
-    return signal.unit == "m s-2" ? "m/s2" : signal.unit == "rad" ? "rad" : "rad/s";
-}
 
 /// Takes away samples that no car has, where they are so few that the sensor was knocked or a byte was lost.
 /// @returns false after an error: more are a wrong unit
@@ -50,7 +49,7 @@ bool take_away_impossible(const VehicleSignal& signal, const SourceLocation& pla
     }
     const auto n = static_cast<double>(history.value.size());
     const std::string what = fmt::format("{} is {:.6g} {} at {:.6g} s, beyond {:.6g} to {:.6g}, where no car is",
-                                         signal.name, history.value[beyond.front()], shown_unit(signal),
+                                         signal.name, history.value[beyond.front()], signal.shown_unit,
                                          history.time[beyond.front()], signal.low, signal.high);
     if (static_cast<double>(beyond.size()) > std::max(most_share * n, std::min(fewest, most_of_short * n))) {
         errors.add(place, {.what = what,
@@ -81,14 +80,7 @@ bool take(const VehicleSignal& signal, const UserColumn& column, const SourceLoc
                                wanted.name),
                    fmt::format("write its unit into the heading, such as {} [{}], or units = {{ {} = \"{}\" }} into "
                                "[[run]]",
-                               signal.name,
-                               signal.unit == "m s-2" ? "g"
-                               : signal.unit == "rad" ? "deg"
-                                                      : "deg/s",
-                               signal.name,
-                               signal.unit == "m s-2" ? "g"
-                               : signal.unit == "rad" ? "deg"
-                                                      : "deg/s"));
+                               signal.name, signal.logged_unit, signal.name, signal.logged_unit));
         return false;
     }
     into = column.signal;
@@ -173,8 +165,7 @@ std::optional<double> factor_to(const VehicleSignal& signal, const std::string& 
 }
 
 solver::SignalHistory VehicleLog::*member_of(std::string_view name) {
-    const auto found = std::ranges::find(table, name, &VehicleSignal::name);
-    return members.at(static_cast<std::size_t>(found - table.begin()));
+    return std::ranges::find(table, name, &VehicleSignal::name)->member;
 }
 
 bool is_vehicle_signal(std::string_view name) {
@@ -207,8 +198,8 @@ std::optional<VehicleLog> find_vehicle_log(const DrivenSignals& signals, const S
                                            InputErrors& errors) {
     VehicleLog log;
     bool sound = true;
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        const UserColumn* column = find_column(signals.columns, table[i].name);
+    for (const VehicleSignal& signal : table) {
+        const UserColumn* column = find_column(signals.columns, signal.name);
         if (column == nullptr) {
             continue;
         }
@@ -216,7 +207,7 @@ std::optional<VehicleLog> find_vehicle_log(const DrivenSignals& signals, const S
             sound = false;  // its gaps have been reported
             continue;
         }
-        sound = take(table[i], *column, place, errors, log.*members[i]) && sound;
+        sound = take(signal, *column, place, errors, log.*signal.member) && sound;
     }
     log.speed = speed_of(signals.inputs);
     log.course = where_it_drives(signals.course, log.speed);

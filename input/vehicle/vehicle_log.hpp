@@ -12,11 +12,16 @@
 
 namespace tiretherm::input {
 
+struct VehicleLog;
+
 /// A signal of a car that is no input of a tire.
 struct VehicleSignal {
     std::string_view name;
-    std::string_view unit;  ///< UDUNITS; empty: any, only whether there is something counts
-    double low = 0.0;       ///< in the unit: beyond, it is an error of the unit or of the sensor
+    solver::SignalHistory VehicleLog::*member;
+    std::string_view unit;           ///< UDUNITS; empty: any, only whether there is something counts
+    std::string_view shown_unit{};   ///< the same in messages
+    std::string_view logged_unit{};  ///< that loggers mostly write, as an example
+    double low = 0.0;                ///< in the unit: beyond, it is an error of the unit or of the sensor
     double high = 0.0;
     std::string_view meaning;
     bool may_heat = false;  ///< it tells of the tire's heat, too: a motion that [vehicle] has used up is no news

@@ -10,35 +10,8 @@ namespace tiretherm::input {
 namespace {
 
 constexpr std::array<VehicleNumberSpec, n_vehicle_numbers> number_specs{{
-    {"mass"},
-    {"wheelbase"},
-    {"front_track"},
-    {"rear_track"},
-    {"centre_of_gravity_height"},
-    {"centre_of_gravity_behind_front_axle"},
-    {"front_weight_share"},
-    {"yaw_inertia"},
-    {"front_roll_centre_height", 0.0},
-    {"rear_roll_centre_height", 0.0},
-    {"front_roll_stiffness_share"},
-    {"front_toe_in", 0.0},
-    {"rear_toe_in", 0.0},
-    {"drag_area", 0.0},
-    {"air_density", physics::Vehicle{}.air_density},
-    {"downforce_area", 0.0},
-    {"front_downforce_share"},
-    {"front_drive_share"},
-    {"front_brake_share"},
-    {"front_cornering_stiffness"},
-    {"rear_cornering_stiffness"},
-    {"front_slip_stiffness"},
-    {"rear_slip_stiffness"},
-    {"friction"},
-    {"friction_scale", 1.0},
-    {"stiffness_scale", 1.0},
-    {"steering_ratio"},
-    {"brake_heat_capacity", physics::Brake{}.heat_capacity},
-    {"brake_cooling", physics::Brake{}.cooling},
+#define VEHICLE_NUMBER(key, absent) {#key, absent},
+#include "input/vehicle/vehicle_numbers.list"
 }};
 constexpr double nearest_axle = 0.01;  ///< of the wheelbase, between an axle and the centre of gravity
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -16,44 +15,16 @@
 namespace tiretherm::input {
 
 enum class VehicleNumber : std::uint8_t {
-    mass,
-    wheelbase,
-    front_track,
-    rear_track,
-    centre_of_gravity_height,
-    centre_of_gravity_behind_front_axle,
-    front_weight_share,
-    yaw_inertia,
-    front_roll_centre_height,
-    rear_roll_centre_height,
-    front_roll_stiffness_share,
-    front_toe_in,
-    rear_toe_in,
-    drag_area,
-    air_density,
-    downforce_area,
-    front_downforce_share,
-    front_drive_share,
-    front_brake_share,
-    front_cornering_stiffness,
-    rear_cornering_stiffness,
-    front_slip_stiffness,
-    rear_slip_stiffness,
-    friction,
-    friction_scale,
-    stiffness_scale,
-    steering_ratio,
-    brake_heat_capacity,
-    brake_cooling
+#define VEHICLE_NUMBER(key, absent) key,
+#include "input/vehicle/vehicle_numbers.list"
 };
-inline constexpr std::size_t n_vehicle_numbers = static_cast<std::size_t>(VehicleNumber::brake_cooling) + 1;
 
 /// How the case writes a number.
 struct VehicleNumberSpec {
     std::string_view key;
-    double absent =
-        std::numeric_limits<double>::quiet_NaN();  ///< SI, where the case does not give it; NaN: see vehicle_of
+    double absent;  ///< SI, where the case does not give it; NaN: see vehicle_of
 };
+inline constexpr std::size_t n_vehicle_numbers = static_cast<std::size_t>(VehicleNumber::brake_cooling) + 1;
 /// [n_vehicle_numbers], in the order of the enumeration.
 [[nodiscard]] std::span<const VehicleNumberSpec> vehicle_numbers();
 [[nodiscard]] const VehicleNumberSpec& spec_of(VehicleNumber number);

@@ -14,43 +14,31 @@ namespace tiretherm::input {
 
 namespace {
 
-/// Numbers on their way from the table.
-struct NumberReader {
-    TomlTable& table;
-    VehicleNumbers& numbers;
-
-    void take(VehicleNumber number, Need need = Need::optional) {
-        const VehicleNumberSpec& its = spec_of(number);
-        numbers[number] = table.quantity(its.key, need).value_or(its.absent);
+/// A number that must be there, with an example of a car's size where it is not.
+void require(TomlTable& table, VehicleNumber number, std::string_view example, VehicleNumbers& into) {
+    const std::string_view key = spec_of(number).key;
+    if (table.has(key)) {
+        take(table, number, into, Need::required);
+    } else {
+        static_cast<void>(table.value(key, Need::required, fmt::format("{} = {}", key, example)));
     }
-    /// One that must be there, with an example of a car's size where it is not.
-    void require(VehicleNumber number, std::string_view example) {
-        const std::string_view key = spec_of(number).key;
-        if (!table.has(key)) {
-            static_cast<void>(table.value(key, Need::required, fmt::format("{} = {}", key, example)));
-            return;
-        }
-        take(number, Need::required);
-    }
-};
+}
 
 /// The centre of gravity by the share of the front axle or by the distance to it.
-void read_centre_of_gravity(NumberReader& reader) {
+void read_centre_of_gravity(TomlTable& table, VehicleNumbers& numbers) {
     using enum VehicleNumber;
-    TomlTable& table = reader.table;
-    reader.take(centre_of_gravity_behind_front_axle);
+    take(table, centre_of_gravity_behind_front_axle, numbers);
     const bool by_distance = table.has("centre_of_gravity_behind_front_axle");
     if (by_distance) {
-        reader.take(front_weight_share);
+        take(table, front_weight_share, numbers);
     } else {
-        reader.require(front_weight_share, "0.48");
+        require(table, front_weight_share, "0.48", numbers);
     }
     if (by_distance && table.has("front_weight_share")) {
         table.add_error("front_weight_share", "the centre of gravity is given twice, by a share and by a distance",
                         "keep one of them");
         return;
     }
-    const VehicleNumbers& numbers = reader.numbers;
     const double of_front = numbers[front_weight_share];
     if (of_front <= 0.0 || of_front >= 1.0) {
         table.add_error(
@@ -69,48 +57,46 @@ void read_centre_of_gravity(NumberReader& reader) {
     }
 }
 
-void read_lengths(NumberReader& reader) {
+void read_lengths(TomlTable& table, VehicleNumbers& numbers) {
     using enum VehicleNumber;
-    reader.require(mass, "\"1350 kg\"");
-    reader.require(wheelbase, "\"2.7 m\"");
-    reader.require(front_track, "\"1.55 m\"");
-    reader.take(rear_track);
-    reader.require(centre_of_gravity_height, "\"0.5 m\"");
-    read_centre_of_gravity(reader);
-    reader.take(yaw_inertia);
-    reader.take(front_roll_centre_height);
-    reader.take(rear_roll_centre_height);
-    reader.require(front_roll_stiffness_share, "0.55");
-    reader.take(front_toe_in);
-    reader.take(rear_toe_in);
+    require(table, mass, "\"1350 kg\"", numbers);
+    require(table, wheelbase, "\"2.7 m\"", numbers);
+    require(table, front_track, "\"1.55 m\"", numbers);
+    take(table, rear_track, numbers);
+    require(table, centre_of_gravity_height, "\"0.5 m\"", numbers);
+    read_centre_of_gravity(table, numbers);
+    take(table, yaw_inertia, numbers);
+    take(table, front_roll_centre_height, numbers);
+    take(table, rear_roll_centre_height, numbers);
+    require(table, front_roll_stiffness_share, "0.55", numbers);
+    take(table, front_toe_in, numbers);
+    take(table, rear_toe_in, numbers);
 }
 
-void read_aerodynamics(NumberReader& reader) {
+void read_aerodynamics(TomlTable& table, VehicleNumbers& numbers) {
     using enum VehicleNumber;
-    TomlTable& table = reader.table;
-    reader.take(drag_area);
-    reader.take(air_density);
-    reader.take(downforce_area);
-    reader.take(front_downforce_share, table.has("downforce_area") ? Need::required : Need::optional);
-    if (!std::isnan(reader.numbers[front_downforce_share]) && !table.has("downforce_area")) {
+    take(table, drag_area, numbers);
+    take(table, air_density, numbers);
+    take(table, downforce_area, numbers);
+    take(table, front_downforce_share, numbers, table.has("downforce_area") ? Need::required : Need::optional);
+    if (!std::isnan(numbers[front_downforce_share]) && !table.has("downforce_area")) {
         table.add_error("front_downforce_share", "front_downforce_share is given without downforce_area",
                         "add downforce_area = \"1.2 m2\", which is -C_L A, or remove the share");
     }
 }
 
-void read_shares(NumberReader& reader, VehicleKind& kind) {
+void read_shares(TomlTable& table, VehicleNumbers& numbers, VehicleKind& kind) {
     using enum VehicleNumber;
-    TomlTable& table = reader.table;
     const std::optional<std::string_view> word = table.word("driven_axle");
     const bool all = word == "all";
-    reader.take(front_drive_share, all ? Need::required : Need::optional);
-    if (!std::isnan(reader.numbers[front_drive_share]) && word && !all) {
+    take(table, front_drive_share, numbers, all ? Need::required : Need::optional);
+    if (!std::isnan(numbers[front_drive_share]) && word && !all) {
         table.add_error("front_drive_share",
                         fmt::format("front_drive_share is given, but only the {} axle is driven", *word),
                         "write driven_axle = \"all\", or remove the share");
     }
     kind.driven = all ? DrivenAxle::all : word == "front" ? DrivenAxle::front : DrivenAxle::rear;
-    reader.require(front_brake_share, "0.65");
+    require(table, front_brake_share, "0.65", numbers);
 }
 
 void read_signs(TomlTable& table, VehicleSettings& settings) {
@@ -135,14 +121,13 @@ std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root, const std:
     VehicleSettings settings{.place = table.place()};
     const std::optional<std::size_t> corner = table.choice("corner", Need::required);
     settings.corner = static_cast<physics::Corner>(corner.value_or(0));
-    NumberReader reader{.table = table, .numbers = settings.numbers};
-    read_lengths(reader);
-    read_aerodynamics(reader);
-    read_shares(reader, settings.kind);
+    read_lengths(table, settings.numbers);
+    read_aerodynamics(table, settings.numbers);
+    read_shares(table, settings.numbers, settings.kind);
     read_vehicle_tires(table, law, settings);
-    reader.take(VehicleNumber::steering_ratio);
-    reader.take(VehicleNumber::brake_heat_capacity);
-    reader.take(VehicleNumber::brake_cooling);
+    take(table, VehicleNumber::steering_ratio, settings.numbers);
+    take(table, VehicleNumber::brake_heat_capacity, settings.numbers);
+    take(table, VehicleNumber::brake_cooling, settings.numbers);
     settings.smoothing = table.quantity("smoothing").value_or(settings.smoothing);
     read_signs(table, settings);
     return table.errors().count() == before ? std::optional(settings) : std::nullopt;

@@ -4,7 +4,6 @@
 #include "input/vehicle/vehicle_tire.hpp"
 
 #include <array>
-#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -15,13 +14,8 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> stiffness_keys{"front_cornering_stiffness", "rear_cornering_stiffness",
-                                                         "front_slip_stiffness", "rear_slip_stiffness"};
-
-void take(TomlTable& table, VehicleNumber number, VehicleSettings& settings, Need need = Need::optional) {
-    const VehicleNumberSpec& its = spec_of(number);
-    settings.numbers[number] = table.quantity(its.key, need).value_or(its.absent);
-}
+constexpr std::array stiffnesses{VehicleNumber::front_cornering_stiffness, VehicleNumber::rear_cornering_stiffness,
+                                 VehicleNumber::front_slip_stiffness, VehicleNumber::rear_slip_stiffness};
 
 /// The law of a property file that a key names; nothing without the key, or after an error.
 std::optional<physics::MagicFormula> law_of(TomlTable& table, std::string_view key) {
@@ -30,8 +24,7 @@ std::optional<physics::MagicFormula> law_of(TomlTable& table, std::string_view k
         return std::nullopt;
     }
     const SourceLocation mentioned = table.place(key);
-    const std::filesystem::path beside = std::filesystem::path(table.errors().file(mentioned.file)).parent_path();
-    const auto file = read_tir_file((beside / *path).lexically_normal(), mentioned, table.errors());
+    const auto file = read_tir_file(table.errors().beside(mentioned, *path), mentioned, table.errors());
     return file ? std::optional(file->law_on_the_right()) : std::nullopt;
 }
 
@@ -46,20 +39,16 @@ void use(const physics::MagicFormula& law, const std::optional<physics::MagicFor
 }
 
 void read_stiffnesses(TomlTable& table, VehicleSettings& settings) {
-    const bool any = table.has("front_cornering_stiffness") || table.has("rear_cornering_stiffness") ||
-                     table.has("front_slip_stiffness") || table.has("rear_slip_stiffness");
-    if (!any) {
+    if (std::ranges::none_of(stiffnesses, [&](VehicleNumber number) { return table.has(spec_of(number).key); })) {
         table.add_error("", "the slips of the tires follow from their stiffness, and none is given",
                         "add property_file = \"....tir\" to [vehicle] or [tire], or front_cornering_stiffness = \"80 "
                         "kN/rad\" and the other three");
         return;
     }
-    using enum VehicleNumber;
-    for (const VehicleNumber number :
-         {front_cornering_stiffness, rear_cornering_stiffness, front_slip_stiffness, rear_slip_stiffness}) {
-        take(table, number, settings, Need::required);
+    for (const VehicleNumber number : stiffnesses) {
+        take(table, number, settings.numbers, Need::required);
     }
-    take(table, friction, settings);
+    take(table, VehicleNumber::friction, settings.numbers);
     for (const std::string_view key : {"friction_scale", "stiffness_scale"}) {
         if (table.has(key)) {
             table.add_error(key, fmt::format("{} is a factor on a property file, and the tires are stiffnesses", key),
@@ -70,33 +59,38 @@ void read_stiffnesses(TomlTable& table, VehicleSettings& settings) {
 
 }  // namespace
 
+void take(TomlTable& table, VehicleNumber number, VehicleNumbers& into, Need need) {
+    const VehicleNumberSpec& its = spec_of(number);
+    into[number] = table.quantity(its.key, need).value_or(its.absent);
+}
+
 void read_vehicle_tires(TomlTable& table, const std::optional<physics::MagicFormula>& of_tire,
                         VehicleSettings& settings) {
     table.declare_keys({"property_file", "rear_property_file", "front_cornering_stiffness", "rear_cornering_stiffness",
                         "front_slip_stiffness", "rear_slip_stiffness", "friction", "friction_scale",
                         "stiffness_scale"});
-    std::vector<std::string> stiffnesses;
-    for (const std::string_view key : stiffness_keys) {
-        if (table.has(key)) {
-            stiffnesses.emplace_back(key);
+    std::vector<std::string> given;
+    for (const VehicleNumber number : stiffnesses) {
+        if (const std::string_view key = spec_of(number).key; table.has(key)) {
+            given.emplace_back(key);
         }
     }
-    take(table, VehicleNumber::friction_scale, settings);
-    take(table, VehicleNumber::stiffness_scale, settings);
+    take(table, VehicleNumber::friction_scale, settings.numbers);
+    take(table, VehicleNumber::stiffness_scale, settings.numbers);
     const bool has_file = table.text("property_file").has_value();
     const std::optional<physics::MagicFormula> law = law_of(table, "property_file");
     const std::optional<physics::MagicFormula> rear = law_of(table, "rear_property_file");
-    if (has_file && !stiffnesses.empty()) {
+    if (has_file && !given.empty()) {
         table.add_error("property_file",
-                        fmt::format("both property_file and {} are given: which is the tire?", listed(stiffnesses)),
+                        fmt::format("both property_file and {} are given: which is the tire?", listed(given)),
                         "keep the property file, or the stiffnesses of both axles");
         return;
     }
     if (law) {
         use(*law, rear, table, settings);
-    } else if (stiffnesses.empty() && of_tire) {
+    } else if (given.empty() && of_tire) {
         use(*of_tire, rear, table, settings);
-    } else if (stiffnesses.empty() && table.has("property_file")) {
+    } else if (given.empty() && table.has("property_file")) {
         return;  // no text, which has been reported
     } else {
         read_stiffnesses(table, settings);

@@ -6,6 +6,9 @@
 
 namespace tiretherm::input {
 
+/// Reads a number of the car.
+void take(TomlTable& table, VehicleNumber number, VehicleNumbers& into, Need need = Need::optional);
+
 /// Reads property_file, or the four stiffnesses and the friction; with neither it is the .tir of [tire].
 void read_vehicle_tires(TomlTable& table, const std::optional<physics::MagicFormula>& of_tire,
                         VehicleSettings& settings);

@@ -188,6 +188,31 @@ TEST(UnusableSamples, TwoCodesAreADeadSensor) {
     EXPECT_FALSE(read(log, "keep_suspicious = true\n").series.frozen);
 }
 
+// A disc at 80 degC whose wire is broken for 20 s says -1 degC, 81 K off. What meets it sees the straight line between the
+// samples at 199 and 220 s, which are within three standard deviations of 0.3 K of 80 degC.
+TEST(UnusableSamples, ATemperatureOfARunThatOnlyAnEffectFollowsIsReadAsAnInput) {
+    MadeUpLog log = session();
+    Noise noise(0.3, 6);
+    std::vector<double>& disc = log.add("disc", "degC", [&](double) { return to_step(80.0 + noise(), 0.01); });
+    std::fill_n(disc.begin() + 200, 20, -1.0);
+    const ExperimentReading reading = read_logs({log}, R"(
+[[exchange]]
+name = "brake"
+follows = "1"
+at = "bulk"
+conductance = "1 W/K"
+temperature = "disc"
+)");
+    ASSERT_TRUE(reading.experiment.has_value()) << error_report(reading);
+    const auto says = [](const std::string& warning) {
+        return warning.find("disc stands at -1 degC from 200 s to 219 s") != std::string::npos;
+    };
+    EXPECT_TRUE(std::ranges::any_of(reading.warnings, says));
+    const solver::Problem& problem = reading.experiment->runs.front().problem;
+    const physics::ActiveEffect& brake = problem.effects.at(solver::find_user_effect(problem, "brake"));
+    EXPECT_NEAR(brake.tables.at(1)->value(210.0), 273.15 + 80.0, 0.9);
+}
+
 // A logger of coarse numbers without noise repeats them all in the same samples: it has stopped.
 TEST(UnusableSamples, SensorsThatStandStillTogetherAreLeftOut) {
     MadeUpLog log = session();

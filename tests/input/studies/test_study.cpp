@@ -23,7 +23,7 @@ const std::string two_node = (source_folder() / "cases/two_node/4000N_100kmh.tom
 const std::string section = (source_folder() / "cases/section/4000N_100kmh.toml").string();
 
 std::string rendered(const StudyReading& reading) {
-    return render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
+    return render(CaseFindings{.errors = reading.errors, .warnings = reading.warnings});
 }
 
 /// A study of a case of the library. @param rest its [[vary]] and [[draw]]

@@ -22,7 +22,7 @@ class BadStudy : public testing::TestWithParam<std::string> {};
 TEST_P(BadStudy, IsExplainedToTheCharacter) {
     const StudyReading reading = read_study(folder() / (GetParam() + ".toml"));
     EXPECT_FALSE(reading.study.has_value());
-    const std::string report = render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
+    const std::string report = render(CaseFindings{.errors = reading.errors, .warnings = reading.warnings});
     EXPECT_EQ(expected::relative(report), expected::text_of(folder() / (GetParam() + ".txt")));
 }
 

@@ -33,8 +33,7 @@ protected:
     }
     Validation read(const std::string& table) const {
         ValidationReading reading = read_validation(written_.add("table.toml", table));
-        EXPECT_TRUE(reading.table.has_value())
-            << render(Reading{.problem = {}, .errors = reading.errors, .warnings = {}});
+        EXPECT_TRUE(reading.table.has_value()) << render(CaseFindings{.errors = reading.errors, .warnings = {}});
         return reading.table ? std::move(*reading.table) : Validation{};
     }
     Written written_;
@@ -151,7 +150,7 @@ TEST_F(ValidationTable, ExperimentsThatAreNotWantedTakeTheirRunsWithThem) {
 TEST(ShippedValidation, HasANumberOfEveryExperiment) {
     const ValidationReading reading = read_validation(source_folder() / "cases" / "validation.toml");
     ASSERT_TRUE(reading.table.has_value())
-        << render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
+        << render(CaseFindings{.errors = reading.errors, .warnings = reading.warnings});
     EXPECT_TRUE(reading.warnings.empty());
     EXPECT_EQ(reading.table->ids(), (std::vector<std::string>{"M1", "M2", "M4", "M5", "M6", "M7", "M8", "M9", "M10",
                                                               "M11", "M12", "M13", "M14", "M15", "M16"}));
@@ -169,7 +168,7 @@ TEST(ShippedValidation, ExampleOfTheReadmeIsSound) {
     const Written written;
     const ValidationReading reading = read_validation(written.add("table.toml", table));
     ASSERT_TRUE(reading.table.has_value())
-        << render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
+        << render(CaseFindings{.errors = reading.errors, .warnings = reading.warnings});
     EXPECT_NEAR(reading.table->numbers.at(0).total_uncertainty(), std::sqrt(5.0), 1e-12);
     // Both models: as they are, and with two lengths of the ramp.
     EXPECT_EQ(reading.table->runs.size(), 6U);

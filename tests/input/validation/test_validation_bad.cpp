@@ -22,7 +22,7 @@ class BadTable : public testing::TestWithParam<std::string> {};
 TEST_P(BadTable, IsExplainedToTheCharacter) {
     const ValidationReading reading = read_validation(folder() / (GetParam() + ".toml"));
     EXPECT_FALSE(reading.table.has_value());
-    const std::string report = render(Reading{.problem = {}, .errors = reading.errors, .warnings = reading.warnings});
+    const std::string report = render(CaseFindings{.errors = reading.errors, .warnings = reading.warnings});
     EXPECT_EQ(expected::relative(report), expected::text_of(folder() / (GetParam() + ".txt")));
 }
 

@@ -57,8 +57,7 @@ protected:
     }
     Validation read(const std::string& table) const {
         ValidationReading reading = read_validation(written_.add("table.toml", table));
-        EXPECT_TRUE(reading.table.has_value())
-            << render(Reading{.problem = {}, .errors = reading.errors, .warnings = {}});
+        EXPECT_TRUE(reading.table.has_value()) << render(CaseFindings{.errors = reading.errors, .warnings = {}});
         return reading.table ? std::move(*reading.table) : Validation{};
     }
     /// The first error of a table.
