@@ -30,7 +30,9 @@ constexpr std::array table{
     Convention{
         &Inputs::slip_ratio,
         "Positive: the tire is driven, it turns faster than it rolls freely. Negative: it brakes; -1 is a locked "
-        "wheel. Heat takes the magnitude; the longitudinal force of the Magic Formula and of the brush has its sign."},
+        "wheel, which does not roll. Heat of sliding takes the magnitude; the longitudinal force of the Magic Formula "
+        "and of "
+        "the brush has its sign."},
     Convention{
         &Inputs::slip_speed,
         "Positive: the tread runs faster backwards than the road under it, as in a wheel that spins. Heat of sliding "

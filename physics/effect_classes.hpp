@@ -108,6 +108,7 @@ struct PropertyModifier {
 struct HeatEffect {
     bool by_deformation = false;  ///< its heat is work of deformation: what rolling resistance pays for
     bool travels = false;         ///< its place goes round the tire with the wheel angle
+    bool is_memory = false;  ///< its lumped nodes are states of a law, no part of the tire: no budget counts their heat
     int n_coefficients = 0;
     FieldOf field = FieldOf::nothing;  ///< what a file of a structural code may give: the key `field` of a case
     int frame_coefficients = 0;        ///< more coefficients, where such a field follows time; 0: it cannot

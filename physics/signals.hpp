@@ -47,9 +47,11 @@ struct Signal {
     return inputs.speed * inputs.slip_ratio + inputs.slip_speed;
 }
 
-/// Speed of the tread around the wheel's axis, by which the tire is deformed: V, and with a slip speed V + that, so that a
-/// wheel that spins on the spot rolls. A slip ratio leaves the thesis's V. @returns m/s
-[[nodiscard]] inline double rolling_speed(const Inputs& inputs) { return inputs.speed + inputs.slip_speed; }
+/// Speed of the tread around the wheel's axis, Omega R_R, by which the tire is deformed: a wheel that spins on the spot rolls,
+/// a locked one does not. @returns m/s
+[[nodiscard]] inline double rolling_speed(const Inputs& inputs) {
+    return inputs.speed + longitudinal_slip_speed(inputs);
+}
 
 [[nodiscard]] std::span<const Signal> signals();
 /// On the straight line from one moment (share 0) to another (share 1).

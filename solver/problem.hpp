@@ -41,6 +41,10 @@ struct Handling {
     physics::EquivalentModulus modulus;                  ///< of the cornering stiffness
     double lambda_CP = 1.0;                              ///< scale of the cornering stiffness
     std::optional<physics::MagicFormula> magic_formula;  ///< of a property file
+    /// K, of the bulk at which the property file's cornering stiffness holds: the moduli say how it changes from there.
+    double reference_temperature = 343.15;
+    bool replaces_stiffness =
+        false;  ///< the moduli are those of the property file's tire: their stiffness is taken for its own
 };
 
 /// A named output: what a sensor reads.

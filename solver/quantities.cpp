@@ -62,17 +62,29 @@ double rolling_moment(const SensorMoment& now) {
 
 double loaded_radius(const SensorMoment& now) { return tire_of(now).loaded_radius(now.inputs); }
 
+/// Of the property file, at its own temperature. N/rad
+double stiffness_of_file(const SensorMoment& now) {
+    const physics::MagicFormula& law = *now.problem.handling.magic_formula;
+    return std::abs(
+        law.cornering_stiffness(now.inputs.vertical_load, now.inputs.camber, now.inputs.inflation_pressure));
+}
+
+/// By the moduli; of a property file's tire they give the change with the temperature alone, unless they are that tire's.
 double cornering_stiffness(const SensorMoment& now) {
     const Handling& handling = now.problem.handling;
-    return handling.lambda_CP * physics::cornering_stiffness(handling.modulus, tire_of(now),
-                                                             tire_of(now).reference_load(now.inputs), now.followed)
-                                    .value;
+    const auto by_moduli = [&](double T) {
+        const double load = tire_of(now).reference_load(now.inputs);
+        return physics::cornering_stiffness(handling.modulus, tire_of(now), load, T).value;
+    };
+    const double CP = handling.lambda_CP * by_moduli(now.followed);
+    if (!handling.magic_formula || handling.replaces_stiffness || CP == 0.0) {
+        return CP;
+    }
+    return stiffness_of_file(now) * CP / by_moduli(handling.reference_temperature);
 }
 
 double lambda_Tb(const SensorMoment& now) {
-    const physics::MagicFormula& law = *now.problem.handling.magic_formula;
-    return physics::bulk_temperature_factor(cornering_stiffness(now),
-                                            law.cornering_stiffness(now.inputs.vertical_load, now.inputs.camber));
+    return physics::bulk_temperature_factor(cornering_stiffness(now), stiffness_of_file(now));
 }
 
 physics::PureSlipState side_slip(const physics::Inputs& inputs) {
@@ -80,7 +92,8 @@ physics::PureSlipState side_slip(const physics::Inputs& inputs) {
             .slip = inputs.slip_angle,
             .camber = inputs.camber,
             .speed = inputs.speed,
-            .sliding_speed = std::abs(inputs.speed * std::tan(inputs.slip_angle))};
+            .sliding_speed = std::abs(inputs.speed * std::tan(inputs.slip_angle)),
+            .pressure = inputs.inflation_pressure};
 }
 
 double lateral_force(const SensorMoment& now) {
@@ -199,15 +212,16 @@ constexpr std::array table{
                         .region = "bulk",
                         .needs_magic_formula = true,
                         .evaluate = lambda_Tb},
-    QuantityDescription{.quantity = Quantity::lateral_force,
-                        .kind = "lateral_force",
-                        .meaning = "lateral force in pure slip, Magic Formula with the cornering stiffness",
-                        .unit = "N",
-                        .shown = newton,
-                        .signals = cornering,
-                        .region = "bulk",
-                        .needs_magic_formula = true,
-                        .evaluate = lateral_force},
+    QuantityDescription{
+        .quantity = Quantity::lateral_force,
+        .kind = "lateral_force",
+        .meaning = "lateral force in pure slip, Magic Formula with the cornering stiffness at the temperature",
+        .unit = "N",
+        .shown = newton,
+        .signals = cornering,
+        .region = "bulk",
+        .needs_magic_formula = true,
+        .evaluate = lateral_force},
     QuantityDescription{.quantity = Quantity::reference_lateral_force,
                         .kind = "reference_lateral_force",
                         .meaning = "lateral force in pure slip, Magic Formula without temperature",

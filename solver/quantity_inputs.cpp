@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Magic Formula leans with the camber where there is any; everything else reads what it needs.
+// The Magic Formula follows camber and pressure where they are given, what rolls the slip; everything else reads what it
+// needs.
 
 #include "solver/quantity_inputs.hpp"
 
@@ -8,11 +9,20 @@
 namespace tiretherm::solver {
 
 namespace {
-constexpr std::array<std::string_view, 1> leaning{"camber"};
-}
+constexpr std::array<std::string_view, 2> turning{"slip_ratio", "slip_speed"};
+constexpr std::array<std::string_view, 3> of_the_formula{"camber", "inflation_pressure", "slip_speed"};
+}  // namespace
 
 std::span<const std::string_view> optional_signals(Quantity quantity) {
-    return description_of(quantity).needs_magic_formula ? leaning : std::span<const std::string_view>{};
+    const QuantityDescription& description = description_of(quantity);
+    if (description.follows_watts) {
+        return turning;
+    }
+    if (!description.needs_magic_formula && quantity != Quantity::cornering_stiffness) {
+        return {};
+    }
+    const std::span<const std::string_view> all = of_the_formula;
+    return quantity == Quantity::longitudinal_force ? all : all.first(2);
 }
 
 }  // namespace tiretherm::solver

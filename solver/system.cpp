@@ -47,6 +47,9 @@ System::System(const Problem& problem)
         n_coefficients_ += at(active.effect->n_coefficients());
         for (std::size_t i = 0; i < active.lumped_nodes.size(); ++i) {
             lump_[at(active.lumped_nodes[i])] += active.effect->heat_effect()->capacity(active, i);
+            if (active.effect->heat_effect()->is_memory) {
+                memory_.push_back(at(active.lumped_nodes[i]));
+            }
         }
     }
     for (int node = 0; node < problem.mesh.n_nodes; ++node) {
@@ -181,6 +184,7 @@ void System::evaluate(std::span<const double> T, std::span<const double> coeffic
         terms_.attribute_to(e);
         if (heat->gives_derivatives) {
             heat->add_terms(evaluation_state(e, T, means_, coefficients), terms_);
+            terms_.watts[e] = heat->is_memory ? 0.0 : terms_.watts[e];
             continue;
         }
         for (std::size_t i = 0; i < T.size(); ++i) {
@@ -254,6 +258,14 @@ void System::enthalpy(std::span<const double> T, std::span<double> H) const {
     for (const std::size_t i : varying_capacity_) {
         H[i] = mass_[i] * material_model_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i]);
     }
+}
+
+double System::of_budget(std::span<const double> heat) const {
+    double sum = std::accumulate(heat.begin(), heat.end(), 0.0);
+    for (const std::size_t node : memory_) {
+        sum -= heat[node];
+    }
+    return sum;
 }
 
 Status System::failure_at(Outcome outcome, std::string_view why, int node, double time, std::span<const double> T,

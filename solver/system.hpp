@@ -68,6 +68,9 @@ public:
     /// H(T) of each node, zero at 0 K. @param H out, [n_nodes] J
     void enthalpy(std::span<const double> T, std::span<double> H) const;
 
+    /// The sum over all nodes but those that are the memory of a law. @param heat [n_nodes] J  @returns J
+    [[nodiscard]] double of_budget(std::span<const double> heat) const;
+
     /// At the last evaluation: A = C + s K, symmetric positive definite, and J = C - s dq/dT. @param s s, > 0
     /// With `steady`, C is left out.
     void matrices(double s, bool steady, Matrix& A, Matrix& J) const;
@@ -120,6 +123,7 @@ private:
     std::vector<std::array<int, 2>> ends_;       ///< [n_faces] nodes a and b
     std::vector<double> mass_;                   ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes
     std::vector<double> lump_;                   ///< [n_nodes] J/K of a lumped node
+    std::vector<std::size_t> memory_;            ///< nodes that are states of a law
     std::vector<double> constant_capacity_;      ///< [n_nodes] J/K where it does not follow the temperature, else 0
     std::vector<std::size_t> varying_capacity_;  ///< nodes whose heat capacity does
     mutable std::vector<physics::LossFactor> loss_factors_;

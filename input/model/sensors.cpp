@@ -14,6 +14,7 @@
 #include "input/text/quantity_specs.hpp"
 #include "input/text/word_lists.hpp"
 #include "mesh/ring.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::input {
 
@@ -194,6 +195,26 @@ void add_channels(const TomlTable& sensor, const std::string& name, std::vector<
     }
 }
 
+/// No property file tells at which temperature its tire was measured.
+void say_temperature_of_file(const TomlTable& root, const TomlValue& file, const solver::Handling& handling,
+                             const std::vector<solver::Channel>& channels) {
+    using enum solver::Quantity;
+    const bool is_said = handling.replaces_stiffness || !handling.magic_formula ||
+                         root.content().find({"tire", "modulus", "reference_temperature"}) != nullptr;
+    const auto follows = std::ranges::find_if(channels, [](const solver::Channel& channel) {
+        return channel.quantity == cornering_stiffness || channel.quantity == bulk_temperature_factor ||
+               channel.quantity == lateral_force;
+    });
+    if (!is_said && follows != channels.end()) {
+        root.errors().warn(
+            file.place,
+            "the cornering stiffness of {} is taken for that at a bulk of {:g} degC, from where {} follows the "
+            "temperature: give reference_temperature in [tire.modulus], or tuned = true where the moduli are "
+            "those of this tire",
+            file.text, celsius(handling.reference_temperature), follows->name);
+    }
+}
+
 }  // namespace
 
 std::vector<SensorKind> sensor_kinds() {
@@ -282,6 +303,9 @@ std::vector<solver::Channel> read_sensors(TomlTable& root, const solver::Problem
     });
     if (in.channels.empty() && !root.has("camera")) {
         root.errors().warn(root.place(), "the case has no [[sensor]]: no channels are written");
+    }
+    if (named != nullptr) {
+        say_temperature_of_file(root, *named, problem.handling, in.channels);
     }
     return std::move(in.channels);
 }

@@ -72,7 +72,12 @@ void read_property_file(TomlTable& tire, solver::Handling& into) {
     if (const std::optional<std::string> path = tire.text("property_file")) {
         const SourceLocation mentioned = tire.place("property_file");
         if (const auto file = read_tir_file(tire.errors().beside(mentioned, *path), mentioned, tire.errors())) {
-            into.magic_formula = file->law;
+            into.magic_formula = file->law_on_the_right();
+            if (file->is_left) {
+                tire.errors().warn(mentioned,
+                                   "TYRESIDE of the property file is LEFT: its mirror image counts, as the inputs are "
+                                   "those of a tire on the right");
+            }
         }
     }
 }

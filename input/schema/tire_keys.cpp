@@ -37,10 +37,10 @@ std::vector<TableKeys> tire_tables() {
             subtable("loaded_radius", "Measured loaded radius against load, in place of the law."),
             subtable("rolling_radius", "Measured rolling radius against load, in place of the law."),
             subtable("modulus", "The moduli behind the cornering stiffness."),
-            text("property_file", "A `.tir` file beside the case with coefficients of the Magic Formula (MF 5.2, 6.1). Default: none."),
+            text("property_file", "A `.tir` file beside the case with coefficients of the Magic Formula (MF 5.2, 6.1). Of TYRESIDE = 'LEFT' the mirror image counts, as inputs are those of a tire on the right. Terms of the pressure (MF 6.1) follow `inflation_pressure` of `drive`, without it INFLPRES. Default: none."),
         }},
         {"tire.modulus", TableForm::table,
-         "The moduli behind the cornering stiffness, thesis (52), (69) to (71). The defaults are assumed for the thesis's tire; `physics/tire_laws/cornering_stiffness.hpp` says on what grounds.", {
+         "The moduli behind the cornering stiffness, thesis (52), (69) to (71). Beside a `property_file` they say how its stiffness changes from `reference_temperature` on, in the ratio CP(load, bulk) / CP(load, reference_temperature). The defaults are assumed for the thesis's tire; `physics/tire_laws/cornering_stiffness.hpp` says on what grounds.", {
             quantity("belt_maximum", {.unit = "Pa", .low = 0.0, .high = 1e12, .above = true}, "Largest modulus of the belt.").into<&physics::EquivalentModulus::E_max>(),
             quantity("belt_fall", {.unit = "Pa", .low = 0.0, .high = 1e12, .above = true}, "How much of it a long contact takes away.").into<&physics::EquivalentModulus::dE>(),
             quantity("belt_slope", {.unit = "m-1", .low = -1e4, .high = 1e4}, "How fast it falls with the contact length.").into<&physics::EquivalentModulus::slope>(),
@@ -49,6 +49,8 @@ std::vector<TableKeys> tire_tables() {
             quantity("tread_fall", {.unit = "Pa", .low = 0.0, .high = 1e12, .above = true}, "How much the modulus of the tread falls through the transition.").into<&physics::EquivalentModulus::dE_T>(),
             quantity("transition_temperature", temperature, "Temperature of the transition.").into<&physics::EquivalentModulus::T_g>(),
             quantity("transition_width", {.unit = "K", .scale = Scale::difference, .low = 0.0, .high = 1e4, .above = true}, "Width of the transition.").into<&physics::EquivalentModulus::dT>(),
+            quantity("reference_temperature", temperature, "Temperature of the bulk at which the stiffness is that of `property_file`; a property file does not tell. Default: 70 degC, assumed: a tire on a Flat-Trac.").into<&solver::Handling::reference_temperature>(),
+            flag("tuned", "The moduli were tuned to the tire of `property_file`: their stiffness CP replaces that of the file, thesis (59), (60). Default: false.").into<&solver::Handling::replaces_stiffness>(),
             quantity("lambda_CP", {.unit = "1", .low = 0.0, .high = 10.0}, "Scale of the cornering stiffness.").into<&solver::Handling::lambda_CP>(),
         }},
     };

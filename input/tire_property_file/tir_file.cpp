@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads [UNITS], the version (FITTYP or PROPERTY_FILE_FORMAT), dimensions and load range, and checks the pressure.
+// Reads [UNITS], the version (FITTYP or PROPERTY_FILE_FORMAT), dimensions, load range and pressures.
 
 #include "input/tire_property_file/tir_file.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,7 +31,7 @@ public:
         read_side();
         read_tir_coefficients(lines_, whole_, tire_.law, *errors_);
         read_dimensions();
-        check_pressure();
+        read_pressures();
         return tire_;
     }
 
@@ -143,31 +142,20 @@ private:
         }
     }
 
-    /// MF 6.1 knows the inflation pressure; here it is evaluated at the nominal one.
-    void check_pressure() {
-        std::vector<std::string> terms;
-        const Entry* first = nullptr;
-        for (const Entry& entry : lines_.entries()) {
-            const bool is_term =
-                entry.key.size() == 4 && (entry.key.starts_with("PPX") || entry.key.starts_with("PPY"));
-            if (is_term && lines_.find(entry.key) == &entry &&
-                lines_.number(entry.key, *errors_).value_or(0.0) != 0.0) {
-                first = first != nullptr ? first : &entry;
-                terms.push_back(entry.key);
-            }
-        }
-        if (first != nullptr) {
-            errors_->warn(first->place,
-                          fmt::format("terms of the pressure are not used ({}): the forces are those at the "
-                                      "nominal pressure",
-                                      fmt::join(terms, ", ")));
-        }
-        const std::optional<double> own = lines_.number("INFLPRES", *errors_);
-        const std::optional<double> nominal = lines_.number("NOMPRES", *errors_);
-        if (tire_.law.version == Version::mf61 && own && nominal && *own != *nominal) {
-            errors_->warn(lines_.find("INFLPRES")->place,
-                          fmt::format("INFLPRES is not used: the forces are those at NOMPRES = {}",
-                                      lines_.find("NOMPRES")->value));
+    /// NOMPRES, about which the terms of the pressure count, and INFLPRES, the pressure where a case gives none.
+    void read_pressures() {
+        const double pascal = force_ / (length_ * length_);
+        static constexpr QuantitySpec possible{.unit = "Pa", .low = 1e4, .high = 3e6};
+        physics::MagicFormula& law = tire_.law;
+        size("NOMPRES", pascal, "FORCE and LENGTH", possible, law.nominal_pressure);
+        size("INFLPRES", pascal, "FORCE and LENGTH", possible, law.own_pressure);
+        const auto is_term = [&](const Entry& entry) {
+            return (entry.key.starts_with("PPX") || entry.key.starts_with("PPY")) &&
+                   lines_.number(entry.key, *errors_).value_or(0.0) != 0.0;
+        };
+        const auto term = std::ranges::find_if(lines_.entries(), is_term);
+        if (law.version == Version::mf61 && law.nominal_pressure == 0.0 && term != lines_.entries().end()) {
+            errors_->warn(term->place, "{} is not used, as no term of the pressure: NOMPRES is missing", term->key);
         }
     }
 

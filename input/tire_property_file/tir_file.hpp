@@ -28,9 +28,9 @@ struct TirFile {
 };
 
 /// Reads the coefficients of pure slip and the dimensions. FITTYP 5, 6 and 21, and PROPERTY_FILE_FORMAT = 'PAC2002'
-/// without one, are MF 5.2; 61 and 62 are MF 6.1 at the nominal inflation pressure, where both agree in pure slip.
+/// without one, are MF 5.2; 61 and 62 are MF 6.1.
 /// [UNITS] holds for dimensions, loads and speeds; the coefficients are pure or per radian whatever it says. Warned of:
-/// coefficients of pure slip that are unknown or that the version does not use, and terms of pressure, which are not used.
+/// coefficients of pure slip that are unknown or that the version does not use, and terms of the pressure without NOMPRES.
 /// Those of combined slip and moments are passed over. Signs and sizes that no tire has are errors. Without longitudinal coefficients F_x is 0, with a warning.
 /// @param mentioned where the path was written; its file is -1 for one that the user named
 /// @returns nothing after an error; all errors of the file are reported

@@ -36,6 +36,7 @@ inline constexpr Bounds signed_factor{-10.0, 10.0, false, "a scaling factor, 1 f
 inline constexpr Bounds slip_shift{-1.0, 1.0, false, "a shift of the slip, some thousandths for tires"};
 inline constexpr Bounds force_shift{-10.0, 10.0, false, "a shift of the force over the load, some hundredths"};
 inline constexpr Bounds change{-100.0, 100.0, false, "a change with load or camber"};
+inline constexpr Bounds with_pressure{-20.0, 20.0, false, "a change with the pressure over the nominal one, -2 to 2"};
 inline constexpr Bounds any{-1000.0, 1000.0, false, "a coefficient of a tire"};
 
 /// A key of a property file and where its number belongs.
@@ -66,6 +67,8 @@ inline constexpr Coefficient coefficients[] = {
     {"PKX1", of<&Law::pKx1>, stiffness}, {"PKX2", of<&Law::pKx2>, any}, {"PKX3", of<&Law::pKx3>, change},
     {"PHX1", of<&Law::pHx1>, slip_shift}, {"PHX2", of<&Law::pHx2>, slip_shift},
     {"PVX1", of<&Law::pVx1>, force_shift}, {"PVX2", of<&Law::pVx2>, force_shift},
+    {"PPX1", of<&Law::pPx1>, with_pressure, Use::only_61}, {"PPX2", of<&Law::pPx2>, with_pressure, Use::only_61},
+    {"PPX3", of<&Law::pPx3>, with_pressure, Use::only_61}, {"PPX4", of<&Law::pPx4>, with_pressure, Use::only_61},
     {"PCY1", of<&Law::pCy1>, shape},
     {"PDY1", of<&Law::pDy1>, friction}, {"PDY2", of<&Law::pDy2>, change}, {"PDY3", of<&Law::pDy3>, change},
     {"PEY1", of<&Law::pEy1>, any}, {"PEY2", of<&Law::pEy2>, any}, {"PEY3", of<&Law::pEy3>, any},
@@ -77,6 +80,9 @@ inline constexpr Coefficient coefficients[] = {
     {"PHY3", of<&Law::pHy3>, slip_shift, Use::only_52},
     {"PVY1", of<&Law::pVy1>, force_shift}, {"PVY2", of<&Law::pVy2>, force_shift},
     {"PVY3", of<&Law::pVy3>, force_shift}, {"PVY4", of<&Law::pVy4>, force_shift},
+    {"PPY1", of<&Law::pPy1>, with_pressure, Use::only_61}, {"PPY2", of<&Law::pPy2>, with_pressure, Use::only_61},
+    {"PPY3", of<&Law::pPy3>, with_pressure, Use::only_61}, {"PPY4", of<&Law::pPy4>, with_pressure, Use::only_61},
+    {"PPY5", of<&Law::pPy5>, with_pressure, Use::only_61},
     {"LFZO", of<&Law::Scaling::Fz0>, factor},
     {"LCX", of<&Law::Scaling::Cx>, factor}, {"LMUX", of<&Law::Scaling::mux>, factor},
     {"LEX", of<&Law::Scaling::Ex>, signed_factor}, {"LKX", of<&Law::Scaling::Kx>, factor},

@@ -4,6 +4,8 @@
 
 #include "input/vehicle/read_vehicle.hpp"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "input/text/word_lists.hpp"
@@ -39,6 +41,22 @@ void warn_of_limits(const CornerHistory& corner, const VehicleSettings& settings
     }
 }
 
+/// The car. The tires of all its wheels have the pressure with which this one begins, where the case gives it.
+std::optional<VehicleSettings> settings_of(TomlTable& root, const std::optional<physics::MagicFormula>& law,
+                                           const solver::InputSignals& inputs) {
+    std::optional<VehicleSettings> settings = read_vehicle_settings(root, law);
+    const double begin = std::numeric_limits<double>::lowest();
+    const double pressure = inputs.at(begin, solver::JumpSide::after).inflation_pressure;
+    if (settings && pressure > 0.0) {
+        for (std::optional<physics::MagicFormula>& of_axle : settings->kind.laws) {
+            if (of_axle) {
+                of_axle->own_pressure = pressure;
+            }
+        }
+    }
+    return settings;
+}
+
 /// @param known as another tire of the car has found it; null: nothing  @returns without a history after an error
 CarMotion motion_by(const VehicleSettings& settings, const VehicleLog& log, const CarMotion* known,
                     InputErrors& errors) {
@@ -57,7 +75,7 @@ VehicleTable read_vehicle(TomlTable& root, const std::optional<physics::MagicFor
     InputErrors& errors = root.errors();
     GivenSignals& given = signals.given;
     VehicleTable read{.car = std::move(known)};
-    const std::optional<VehicleSettings> settings = read_vehicle_settings(root, law);
+    const std::optional<VehicleSettings> settings = settings_of(root, law, signals.inputs);
     if (root.has("vehicle")) {
         given.try_emplace("speed", root.place("vehicle"));  // without it, motion_of says so
     }

@@ -56,7 +56,8 @@ solver::Series disc_of(const physics::Brake& brake, const MotionHistory& motion,
 /// All of a law: other tires of a car may have another one.
 void add_law(solver::Digest& digest, physics::MagicFormula law) {
     digest.add(law.version);
-    for (const double number : {law.nominal_load, law.reference_speed, law.friction_degression}) {
+    for (const double number :
+         {law.nominal_load, law.reference_speed, law.friction_degression, law.nominal_pressure, law.own_pressure}) {
         digest.add(number);
     }
     for (const tir::Coefficient& one : tir::coefficients) {

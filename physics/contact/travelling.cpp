@@ -26,14 +26,16 @@ double reduced(double angle, double low) {
 }  // namespace
 
 TravellingContact::TravellingContact(const Tire& tire, const Inputs& inputs) {
-    const double speed = rolling_speed(inputs);
+    const double turning = rolling_speed(inputs);
+    // The faster of tread and road: a locked wheel stands on one place, under which the road passes.
+    const double speed = std::max(std::abs(turning), std::abs(inputs.speed));
     if (!tire.touches(inputs.vertical_load) || speed == 0.0) {
         return;
     }
     const double radius = tire.rolling_radius(inputs);
     length_ = std::clamp(tire.contact_length(inputs) / radius, 0.0, longest);
-    angular_speed_ = std::abs(speed) / radius;
-    direction_ = speed < 0.0 ? -1.0 : 1.0;
+    angular_speed_ = speed / radius;
+    direction_ = turning < 0.0 ? -1.0 : 1.0;
     since_entry_ = 0.5 * length_ + direction_ * (inputs.wheel_angle - std::numbers::pi);
 }
 

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] bool touches() const { return length_ > 0.0; }
     /// Angle that the contact spans, rad; no more than 2.
     [[nodiscard]] double length() const { return length_; }
-    /// Of the wheel, rad/s, > 0 where anything touches.
+    /// At which tread and road pass the contact, the faster of the two; rad/s, > 0 where anything touches.
     [[nodiscard]] double angular_speed() const { return angular_speed_; }
 
     /// What of a sector is in the contact, as angles since entry: 0 <= from <= to <= length(); nothing where from = to,

@@ -34,6 +34,11 @@ double MagicFormula::load_change(double load) const {
     return (load - reference) / reference;
 }
 
+double MagicFormula::pressure_change(double pressure) const {
+    const double p = pressure > 0.0 ? pressure : own_pressure;
+    return nominal_pressure > 0.0 && p > 0.0 ? (p - nominal_pressure) / nominal_pressure : 0.0;
+}
+
 double MagicFormula::camber_of(double camber, double scaling) const {
     return version == MagicFormulaVersion::mf52 ? camber * scaling : std::sin(camber);
 }
@@ -50,33 +55,37 @@ PureSlip MagicFormula::longitudinal(const PureSlipState& state) const {
     const double g = camber_of(state.camber, lambda.gammax);
     const double scaling = friction_scaling(lambda.mux, state.sliding_speed);
     const double degressive = friction_degression * scaling / (1.0 + (friction_degression - 1.0) * scaling);
-    const double mu = (pDx1 + pDx2 * df) * (1.0 - pDx3 * g * g) * scaling;
+    const double dp = pressure_change(state.pressure);
+    const double mu = (pDx1 + pDx2 * df) * (1.0 + dp * (pPx3 + pPx4 * dp)) * (1.0 - pDx3 * g * g) * scaling;
     const double rolling = version == MagicFormulaVersion::book_2006
                                ? std::abs(state.speed) / (epsilon_speed + std::abs(state.speed))
                                : 1.0;
-    PureSlip curve{.stiffness = Fz * (pKx1 + pKx2 * df) * std::exp(pKx3 * df) * lambda.Kx,
-                   .peak = std::max(0.0, mu * Fz),
-                   .shape = pCx1 * lambda.Cx,
-                   .horizontal_shift = (pHx1 + pHx2 * df) * lambda.Hx,
-                   .vertical_shift = Fz * (pVx1 + pVx2 * df) * rolling * lambda.Vx * degressive};
+    PureSlip curve{
+        .stiffness = Fz * (pKx1 + pKx2 * df) * std::exp(pKx3 * df) * (1.0 + dp * (pPx1 + pPx2 * dp)) * lambda.Kx,
+        .peak = std::max(0.0, mu * Fz),
+        .shape = pCx1 * lambda.Cx,
+        .horizontal_shift = (pHx1 + pHx2 * df) * lambda.Hx,
+        .vertical_shift = Fz * (pVx1 + pVx2 * df) * rolling * lambda.Vx * degressive};
     const double x = state.slip + curve.horizontal_shift;
     curve.curvature = (pEx1 + df * (pEx2 + df * pEx3)) * (1.0 - pEx4 * sign(x)) * lambda.Ex;
     return on_curve(curve, x);
 }
 
-double MagicFormula::cornering_stiffness(double load, double camber) const {
+double MagicFormula::cornering_stiffness(double load, double camber, double pressure) const {
+    const double dp = pressure_change(pressure);
     const double reference = lambda.Fz0 * nominal_load;
     const double g = camber_of(camber, lambda.gammay);
     const double leaning = version == MagicFormulaVersion::book_2006 ? g * g : std::abs(g);  // erratum E14
-    return pKy1 * reference * std::sin(pKy4 * std::atan(std::max(0.0, load) / ((pKy2 + pKy5 * g * g) * reference))) *
+    const double stiffest = (pKy2 + pKy5 * g * g) * (1.0 + pPy2 * dp) * reference;
+    return pKy1 * reference * (1.0 + pPy1 * dp) * std::sin(pKy4 * std::atan(std::max(0.0, load) / stiffest)) *
            (1.0 - pKy3 * leaning) * lambda.Ky;
 }
 
-double MagicFormula::camber_stiffness(double load) const {
+double MagicFormula::camber_stiffness(double load, double pressure) const {
     const double Fz = std::max(0.0, load);
     const double df = load_change(Fz);
     return version == MagicFormulaVersion::mf61
-               ? Fz * (pKy6 + pKy7 * df) * camber_scaling()
+               ? Fz * (pKy6 + pKy7 * df) * (1.0 + pPy5 * pressure_change(pressure)) * camber_scaling()
                : (pHy3 * cornering_stiffness(Fz, 0.0) + Fz * (pVy3 + pVy4 * df)) * camber_scaling();
 }
 
@@ -86,8 +95,9 @@ PureSlip MagicFormula::lateral(const PureSlipState& state, double lambda_Tb) con
     const double g = camber_of(state.camber, lambda.gammay);
     const double scaling = friction_scaling(lambda.muy, state.sliding_speed);
     const double degressive = friction_degression * scaling / (1.0 + (friction_degression - 1.0) * scaling);
-    const double K = lambda_Tb * cornering_stiffness(Fz, state.camber);
-    const double mu = (pDy1 + pDy2 * df) * (1.0 - pDy3 * g * g) * scaling;
+    const double K = lambda_Tb * cornering_stiffness(Fz, state.camber, state.pressure);
+    const double dp = pressure_change(state.pressure);
+    const double mu = (pDy1 + pDy2 * df) * (1.0 + dp * (pPy3 + pPy4 * dp)) * (1.0 - pDy3 * g * g) * scaling;
     const double S_Vgamma = Fz * (pVy3 + pVy4 * df) * g * camber_scaling() * degressive;
 
     PureSlip curve{.stiffness = K,
@@ -97,7 +107,7 @@ PureSlip MagicFormula::lateral(const PureSlipState& state, double lambda_Tb) con
                    .vertical_shift = Fz * (pVy1 + pVy2 * df) * lambda.Vy * degressive + S_Vgamma};
     if (version == MagicFormulaVersion::mf61) {
         const double divisor = std::abs(K) < smallest_stiffness ? std::copysign(smallest_stiffness, K) : K;
-        curve.horizontal_shift += (camber_stiffness(Fz) * g - S_Vgamma) / divisor;
+        curve.horizontal_shift += (camber_stiffness(Fz, state.pressure) * g - S_Vgamma) / divisor;
     } else {
         curve.horizontal_shift += pHy3 * g * camber_scaling();
     }

@@ -21,6 +21,7 @@ struct PureSlipState {
     double camber = 0.0;         ///< rad, gamma
     double speed = 16.7;         ///< m/s, V_cx of the contact centre; its sign turns alpha
     double sliding_speed = 0.0;  ///< m/s, V_s; counts only with lambda_muV
+    double pressure = 0.0;       ///< Pa above the atmosphere; 0: that of the property file
 };
 
 /// A force and the macro-parameters of its curve D sin(C atan(B x - E (B x - atan B x))) + S_V, x = slip + S_H.
@@ -34,10 +35,13 @@ struct PureSlip {
     double vertical_shift = 0.0;    ///< N, S_V
 };
 
-/// Forces of a tire in pure slip, from the coefficients of a property file, at its nominal inflation pressure and with
-/// no turn slip (every zeta is 1, so the book's zeta_4 - 1 in S_Hy is 0).                           thesis (8)-(11)
+/// Forces of a tire in pure slip, from the coefficients of a property file, with no turn slip (every zeta is 1, so the
+/// book's zeta_4 - 1 in S_Hy is 0).                                                                  thesis (8)-(11)
 ///     df_z = (Fz - Fz0')/Fz0',  Fz0' = lambda_Fz0 Fz0                                             thesis (9)
 ///     K_y = pKy1 Fz0' sin(pKy4 atan(Fz / ((pKy2 + pKy5 g^2) Fz0'))) (1 - pKy3 |g| or g^2) lambda_Ky      thesis (11)
+/// The pressure acts in mf61 by dp_i = (p - p_i0)/p_i0 (Besselink, Schmeitz & Pacejka, Vehicle Syst. Dyn. 48, 2010):
+///     K_x: 1 + pPx1 dp + pPx2 dp^2;  mu_x, mu_y: 1 + p3 dp + p4 dp^2;  K_ygamma: 1 + pPy5 dp
+///     K_y: 1 + pPy1 dp, and the load of its peak, pKy2 + pKy5 g^2, times 1 + pPy2 dp
 /// Erratum E14: (58) of the thesis lost the bars round gamma. The camber terms were compared with open implementations:
 /// an MF 5.2 lateral force after B. Cobb and MFeval's branches for 5.2 and 6.1 all have |g|, none the square of (10).
 /// In 5.2 they differ in S_Hy, here as in the former: pHy3 g; MFeval divides it by 1 - pKy3 |g|. A load below 0 counts
@@ -46,6 +50,8 @@ struct MagicFormula {
     MagicFormulaVersion version = MagicFormulaVersion::mf52;
     double nominal_load = 4000.0;      ///< N, Fz0 > 0
     double reference_speed = 16.7;     ///< m/s, V_0 > 0
+    double nominal_pressure = 0.0;     ///< Pa above the atmosphere, p_i0; 0: unknown, and dp is 0
+    double own_pressure = 0.0;         ///< Pa, where a state gives none; 0: the nominal one
     double friction_degression = 1.0;  ///< A_mu in lambda'_mu = A lambda_mu/(1 + (A - 1) lambda_mu); the book offers 10
 
     double pCx1 = 0.0;
@@ -54,6 +60,7 @@ struct MagicFormula {
     double pKx1 = 0.0, pKx2 = 0.0, pKx3 = 0.0;
     double pHx1 = 0.0, pHx2 = 0.0;
     double pVx1 = 0.0, pVx2 = 0.0;
+    double pPx1 = 0.0, pPx2 = 0.0, pPx3 = 0.0, pPx4 = 0.0;  ///< mf61
 
     double pCy1 = 0.0;
     double pDy1 = 0.0, pDy2 = 0.0, pDy3 = 0.0;
@@ -62,6 +69,7 @@ struct MagicFormula {
     double pKy4 = 2.0, pKy5 = 0.0, pKy6 = 0.0, pKy7 = 0.0;  ///< mf61
     double pHy1 = 0.0, pHy2 = 0.0, pHy3 = 0.0;              ///< pHy3: mf52, book_2006
     double pVy1 = 0.0, pVy2 = 0.0, pVy3 = 0.0, pVy4 = 0.0;
+    double pPy1 = 0.0, pPy2 = 0.0, pPy3 = 0.0, pPy4 = 0.0, pPy5 = 0.0;  ///< mf61
 
     /// The user's lambdas, all 1 but muV.
     struct Scaling {
@@ -77,13 +85,15 @@ struct MagicFormula {
     [[nodiscard]] PureSlip longitudinal(const PureSlipState& state) const;
     /// F_y0 at a slip angle. @param lambda_Tb factor of the bulk temperature on K_y                 thesis (10)(59)
     [[nodiscard]] PureSlip lateral(const PureSlipState& state, double lambda_Tb = 1.0) const;
-    /// K_y(Fz, gamma), the reference of lambda_Tb. @returns N/rad, with the sign of pKy1             thesis (11)(60)
-    [[nodiscard]] double cornering_stiffness(double load, double camber) const;
+    /// K_y(Fz, gamma), the reference of lambda_Tb. @param pressure as in PureSlipState
+    /// @returns N/rad, with the sign of pKy1                                                        thesis (11)(60)
+    [[nodiscard]] double cornering_stiffness(double load, double camber, double pressure = 0.0) const;
     /// K_ygamma0, about the force per camber at straight running. @returns N/rad                    thesis (10)
-    [[nodiscard]] double camber_stiffness(double load) const;
+    [[nodiscard]] double camber_stiffness(double load, double pressure = 0.0) const;
 
 private:
     [[nodiscard]] double load_change(double load) const;
+    [[nodiscard]] double pressure_change(double pressure) const;
     [[nodiscard]] double camber_of(double camber, double scaling) const;
     [[nodiscard]] double camber_scaling() const;
     [[nodiscard]] double friction_scaling(double scaling, double sliding_speed) const;

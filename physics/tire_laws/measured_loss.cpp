@@ -47,7 +47,7 @@ double ResistanceTable::value(const Inputs& inputs, double bulk) const {
 }
 
 double MeasuredLoss::power(const Inputs& inputs, double bulk) const {
-    const double speed = std::abs(inputs.speed);
+    const double speed = std::abs(rolling_speed(inputs));
     if (!coastdown) {
         Inputs forwards = inputs;
         forwards.speed = speed;

@@ -19,7 +19,7 @@ struct Snapshot {
     double time = 0.0;                    ///< s
     std::span<const double> temperature;  ///< [n_nodes] K
     std::span<const double> channels;     ///< [n_channels] K
-    std::span<const double> watts;        ///< [n_effects] W, at the end of the last step (not scaled by symmetry)
+    std::span<const double> watts;        ///< [n_effects] W at that time (not scaled by symmetry)
     std::span<const double> joules;       ///< [n_effects] J since the start
     double stored = 0.0;                  ///< J since the start
     bool field = false;                   ///< true when the field is due for storing (first and last always)

@@ -22,6 +22,7 @@ OutputSampler::OutputSampler(const Problem& problem, const Observer& observer, c
       sensor_outputs_(problem, stepper.system()),
       channels_(problem.channels.size()),
       field_(problem.initial),
+      watts_(problem.effects.size()),
       joules_(problem.effects.size()),
       coldest_(problem.effects.size(), std::numeric_limits<double>::infinity()),
       hottest_(problem.effects.size(), -std::numeric_limits<double>::infinity()),
@@ -114,14 +115,14 @@ std::vector<RangeWarning> OutputSampler::range_warnings() const {
     return warnings;
 }
 
-bool OutputSampler::emit(double t, std::span<const double> T, std::span<const double> joules, double stored,
-                         bool field) {
+bool OutputSampler::emit(double t, std::span<const double> T, std::span<const double> watts,
+                         std::span<const double> joules, double stored, bool field) {
     const auto begin = std::chrono::steady_clock::now();
     read(t);
     const bool go_on = *observer_ == nullptr || (*observer_)({.time = t,
                                                               .temperature = T,
                                                               .channels = channels_,
-                                                              .watts = stepper_->watts(),
+                                                              .watts = watts,
                                                               .joules = joules,
                                                               .stored = stored,
                                                               .field = field});
@@ -130,16 +131,18 @@ bool OutputSampler::emit(double t, std::span<const double> T, std::span<const do
 }
 
 bool OutputSampler::emit_state(bool field) {
-    return emit(stepper_->time(), stepper_->temperature(), stepper_->joules(), stepper_->stored(), field);
+    return emit(stepper_->time(), stepper_->temperature(), stepper_->watts(), stepper_->joules(), stepper_->stored(),
+                field);
 }
 
 bool OutputSampler::show() { return emit_state(true); }
 
 bool OutputSampler::emit_inside_step(double t) {
     stepper_->interpolate(t, field_);
+    stepper_->interpolate_watts(t, watts_);
     stepper_->interpolate_joules(t, joules_);
     const double stored = std::accumulate(joules_.begin(), joules_.end(), 0.0);
-    return emit(t, field_, joules_, stored, field_due(t));
+    return emit(t, field_, watts_, joules_, stored, field_due(t));
 }
 
 bool OutputSampler::advance() {

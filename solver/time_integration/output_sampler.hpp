@@ -36,7 +36,8 @@ public:
     [[nodiscard]] double seconds() const { return seconds_; }  ///< spent in the observer
 
 private:
-    bool emit(double t, std::span<const double> T, std::span<const double> joules, double stored, bool field);
+    bool emit(double t, std::span<const double> T, std::span<const double> watts, std::span<const double> joules,
+              double stored, bool field);
     bool emit_state(bool field);
     bool emit_inside_step(double t);
     bool field_due(double t);
@@ -52,6 +53,7 @@ private:
     std::vector<physics::Inputs> inputs_;  ///< logged ones at the stages of a step
     std::vector<double> channels_;
     std::vector<double> field_;
+    std::vector<double> watts_;
     std::vector<double> joules_;
     std::vector<double> coldest_;  ///< [n_effects] K, on the patches of an effect with a range warning
     std::vector<double> hottest_;

@@ -228,11 +228,7 @@ void Stepper::accept() {
     end_watts_ = stage_watts_.back();
     std::ranges::copy(forcing_.stage(tableau_->stages - 1), end_coefficients_.begin());
     end_is_known_ = true;
-    system_.enthalpy(T_[0], H_);
-    stored_ = 0.0;
-    for (std::size_t n = 0; n < H_.size(); ++n) {
-        stored_ += H_[n] - H_start_[n];
-    }
+    find_stored();
     step_begin_ = time_;
     time_ = tried_;
     has_history_ = true;
@@ -242,9 +238,19 @@ void Stepper::accept() {
     }
 }
 
-void Stepper::interpolate(double t, std::span<double> T) const {
+void Stepper::find_stored() {
+    system_.enthalpy(T_[0], H_);
+    add(-1.0, H_start_, H_);
+    stored_ = system_.of_budget(H_);
+}
+
+void Stepper::interpolate(double t, std::span<double> T) const { interpolate(t, last_, T); }
+
+void Stepper::interpolate_watts(double t, std::span<double> watts) const { interpolate(t, stage_watts_, watts); }
+
+void Stepper::interpolate(double t, const std::vector<std::vector<double>>& stages, std::span<double> out) const {
     const double x = (t - step_begin_) / (time_ - step_begin_);
-    std::fill(T.begin(), T.end(), 0.0);
+    std::fill(out.begin(), out.end(), 0.0);
     for (int i = 0; i < tableau_->stages; ++i) {
         double basis = 1.0;
         for (int j = 0; j < tableau_->stages; ++j) {
@@ -252,9 +258,7 @@ void Stepper::interpolate(double t, std::span<double> T) const {
                 basis *= (x - tableau_->c[at(j)]) / (tableau_->c[at(i)] - tableau_->c[at(j)]);
             }
         }
-        for (std::size_t n = 0; n < T.size(); ++n) {
-            T[n] += basis * last_[at(i)][n];
-        }
+        add(basis, stages[at(i)], out);
     }
 }
 
@@ -301,11 +305,7 @@ Status Stepper::solve_steady(double t) {
     for (std::vector<double>& stage : last_) {
         stage = T_[0];
     }
-    system_.enthalpy(T_[0], H_);
-    stored_ = 0.0;
-    for (std::size_t n = 0; n < H_.size(); ++n) {
-        stored_ += H_[n] - H_start_[n];
-    }
+    find_stored();
     time_ = step_begin_ = t;
     return {};
 }
@@ -370,7 +370,7 @@ double Stepper::effective_two_node_conductance() {
 
 double Stepper::energy_closure() const {
     const double attributed = std::accumulate(joules_.begin(), joules_.end(), 0.0);
-    const double carried = std::accumulate(left_.begin(), left_.end(), 0.0);
+    const double carried = system_.of_budget(left_);
     return turnover_ > 0.0 ? std::abs(stored_ + carried - attributed) / turnover_ : 0.0;
 }
 

@@ -63,6 +63,8 @@ public:
     [[nodiscard]] std::span<const double> temperature() const { return T_.front(); }
     /// State inside the last accepted step, by the parabola through its stages. @param t s, within that step
     void interpolate(double t, std::span<double> T) const;
+    /// Watts of each effect there, by the same parabola. @param watts out, [n_effects] W
+    void interpolate_watts(double t, std::span<double> watts) const;
     /// Heat attributed to each effect until a moment inside the last accepted step. @param joules out, [n_effects] J
     void interpolate_joules(double t, std::span<double> joules) const;
     [[nodiscard]] std::span<const double> watts() const { return watts_; }    ///< [n_effects] W at the state
@@ -88,6 +90,9 @@ private:
     [[nodiscard]] Attempt attempt_in_window(double t1, bool closed);
     [[nodiscard]] Attempt attempt_stages(double dt, bool closed);
     void update_heat_budget(int stage);
+    void find_stored();
+    /// The parabola through what was at the stages of the last accepted step. @param stages [stages][n]
+    void interpolate(double t, const std::vector<std::vector<double>>& stages, std::span<double> out) const;
     void predict(int stage, double dt);
     [[nodiscard]] double largest_filtered();
     [[nodiscard]] double estimate_left_out(double dt);

@@ -46,8 +46,8 @@ TEST(Conventions, EveryInputHasOne) {
 // "Heat takes the magnitude": turning the sign of one input alone changes no watt.
 TEST(Conventions, HeatTakesTheMagnitudeOfSlipForcesAndSpeed) {
     const std::vector<double> expected = flows(rolling());
-    for (double Inputs::*member : {&Inputs::speed, &Inputs::slip_angle, &Inputs::slip_ratio, &Inputs::lateral_force,
-                                   &Inputs::longitudinal_force}) {
+    for (double Inputs::*member :
+         {&Inputs::speed, &Inputs::slip_angle, &Inputs::lateral_force, &Inputs::longitudinal_force}) {
         Inputs turned = rolling();
         turned.*member = -(turned.*member);
         EXPECT_EQ(flows(turned), expected);
@@ -55,8 +55,7 @@ TEST(Conventions, HeatTakesTheMagnitudeOfSlipForcesAndSpeed) {
     for (const Signal& signal : signals()) {  // the sentence stands where it holds
         const bool said = sign_convention(signal).find("Heat takes the magnitude") != std::string_view::npos;
         const bool holds = signal.member == &Inputs::speed || signal.member == &Inputs::slip_angle ||
-                           signal.member == &Inputs::slip_ratio || signal.member == &Inputs::lateral_force ||
-                           signal.member == &Inputs::longitudinal_force;
+                           signal.member == &Inputs::lateral_force || signal.member == &Inputs::longitudinal_force;
         EXPECT_EQ(said, holds) << signal.name;
     }
 }

@@ -23,6 +23,7 @@ inline solver::Problem two_node_problem(const TwoNodeThesis& thesis) {
               {{"lambda_srf", thesis.lambda_SELsrf},
                {"lambda_blk", thesis.lambda_SELblk},
                {"tan_delta_peak", 0.0}});  // (49) as printed
+    choose(problem, "speed", 1);           // (45) as printed
     switch_on(problem, "sliding_friction",
               {{"partition", thesis.hpc}, {"lambda_x", thesis.lambda_x}, {"lambda_y", thesis.lambda_y}});
     switch_on(problem, "air_convection", {{"lambda_h", thesis.lambda_h}});

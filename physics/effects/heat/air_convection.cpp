@@ -74,7 +74,7 @@ constexpr std::array choices{Choice{
     "the exponential term of (33): bounded by exponential_limit times the forced part; on, as the thesis has it, "
     "without bound; or off"}};
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
-constexpr std::array<std::string_view, 2> may_read{"inflation_pressure", "slip_speed"};
+constexpr std::array<std::string_view, 3> may_read{"inflation_pressure", "slip_ratio", "slip_speed"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 ForcedConvection forced_of(const ActiveEffect& active) {

@@ -30,7 +30,7 @@ void place(const PlacementContext& context, ActiveEffect& active) { spread_over_
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     const double Fy = point.inputs.lateral_force;
-    out[0] = active[coefficient] * Fy * Fy * std::abs(point.inputs.speed);
+    out[0] = active[coefficient] * Fy * Fy * std::abs(rolling_speed(point.inputs));
 }
 
 void add_terms(const EvaluationState& m, Terms& terms) {

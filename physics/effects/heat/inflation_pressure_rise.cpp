@@ -97,8 +97,10 @@ const Effect inflation_pressure_rise{
         "assumed for a car tire",
     .valid = "a constant mass and volume of gas; pressures of 0.5 to 1.7 times the cold one, of J2452's tests",
     .meaning =
-        "Hot gas stiffens the tire: deflection and loss fall over minutes. Its own gas costs the bulk nothing, which "
-        "keeps this cause apart from inner_gas; where inner_gas is on, the temperature of that gas counts. "
+        "Hot gas stiffens the tire: deflection and loss fall over minutes. Its own gas is the memory of this law: it "
+        "costs "
+        "the bulk nothing, which keeps this cause apart from inner_gas, and no heat budget counts it; where inner_gas "
+        "is on, the temperature of that gas counts. "
         "inflation_pressure is that of the gas at `reference`; without it the ratio is that of absolute pressures, "
         "T_gas/reference. A pressure that was measured on the hot tire has the rise in it: the laws of [tire] follow "
         "it by "
@@ -111,6 +113,7 @@ const Effect inflation_pressure_rise{
     .needs_tire = true,
     .model =
         HeatEffect{
+            .is_memory = true,
             .n_coefficients = 2,
             .extend = extend,
             .capacity = capacity,

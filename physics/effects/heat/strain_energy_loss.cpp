@@ -36,7 +36,7 @@ enum : std::size_t {
     kraus_exponent,
     kraus_reference
 };
-enum : std::size_t { temperature };
+enum : std::size_t { temperature, speed_of };
 enum : std::size_t { profile, tan_delta };
 
 constexpr std::array parameters{
@@ -91,9 +91,14 @@ constexpr std::array plausible{
                    SensorKind::any, above, below},
 };
 constexpr std::array<std::string_view, 2> temperatures{"bulk_mean", "local"};
+constexpr std::array<std::string_view, 2> speeds{"wheel", "vehicle"};
 constexpr std::array choices{
     Choice{"temperature", temperatures,
-           "which temperature softens the loss tangent: the bulk's mean, as with two nodes, or that of each cell"}};
+           "which temperature softens the loss tangent: the bulk's mean, as with two nodes, or that of each cell"},
+    Choice{"speed", speeds,
+           "at which speed the tire is deformed: that of the wheel's rotation, V (1 + slip_ratio) or V + slip_speed, "
+           "of which "
+           "a locked wheel has none, or V, as in the thesis's (45)"}};
 constexpr std::array tables{
     Table{"profile", "m", "1",
           "weight of the loss along the meridian, such as the contact pressure, against the arc "
@@ -101,7 +106,7 @@ constexpr std::array tables{
     Table{"tan_delta", "K", "1", "loss tangent at f0 against the temperature, in the place of the Gaussian (49)"}};
 constexpr std::array scopes{Scope::layer, Scope::zone};
 constexpr std::array<std::string_view, 2> reads{"speed", "vertical_load"};
-constexpr std::array<std::string_view, 2> may_read{"inflation_pressure", "slip_speed"};
+constexpr std::array<std::string_view, 3> may_read{"inflation_pressure", "slip_ratio", "slip_speed"};
 
 constexpr std::array of_compound{tan_delta_a, tan_delta_b, tan_delta_c, tan_delta_peak};
 
@@ -207,7 +212,10 @@ constexpr std::size_t tabled = framed + most_frames;
 bool gives_watts(const ActiveEffect& active) { return active.field && !active.field->watts.empty(); }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
-    const Inputs& in = point.inputs;
+    Inputs in = point.inputs;
+    if (active.choices[speed_of] == 1) {
+        in.slip_ratio = in.slip_speed = 0.0;
+    }
     std::ranges::fill(out, 0.0);
     if (gives_watts(active)) {
         out[whole] = 1.0;
@@ -356,7 +364,9 @@ const Effect strain_energy_loss{
     .id = "strain_energy_loss",
     .kind = Kind::source,
     .on = true,
-    .equation = "SEL = Fz eps (A_CS/A_VC) H tan delta(T_bulk, f) (2 pi R0/l) V/(2 pi R_R)",
+    .equation =
+        "SEL = Fz eps (A_CS/A_VC) H tan delta(T_bulk, f) (2 pi R0/l) f, f = Omega/(2 pi) = V (1 + slip_ratio)/(2 pi "
+        "R_R)",
     .source =
         "thesis (36)-(49), errata E1, E2, E3, E7, E8; strain: Kraus, J. Appl. Polym. Sci.: Appl. Polym. Symp. 39, "
         "1984; "
@@ -368,7 +378,8 @@ const Effect strain_energy_loss{
     .meaning =
         "Heat of cyclic deformation, shared over the cells by mass and by the weights of layers, zones and the "
         "place along the meridian; however it is shared, the total is the law's. tan delta is taken at the bulk's mean "
-        "temperature unless it is to be local; none at rest or without load. Below tan_delta_peak the loss tangent "
+        "temperature unless it is to be local; none where the wheel does not turn or without load. Below "
+        "tan_delta_peak the loss tangent "
         "falls "
         "again: the Gaussian, fitted above 0 degC, would rise without end in the cold. The loss falls with the "
         "inflation "

@@ -25,7 +25,7 @@ enum : std::size_t { road, first_sector };
 std::size_t first_of(int sector) { return first_sector + static_cast<std::size_t>(sector) * most_effusivities; }
 
 constexpr std::array tables{contact_profile};
-constexpr std::array<std::string_view, 3> may_read{"wheel_angle", "inflation_pressure", "slip_speed"};
+constexpr std::array<std::string_view, 4> may_read{"wheel_angle", "inflation_pressure", "slip_ratio", "slip_speed"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 /// Gauss and Legendre's rule of six points on (0, 1). Abramowitz & Stegun 1964, table 25.4.

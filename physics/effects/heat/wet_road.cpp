@@ -13,12 +13,13 @@ namespace {
 
 enum : std::size_t { film_depth, heated, evaporated, density, heat_capacity, latent_heat };
 
-// The tire meets rho d W V of water a second: 0.63 kg/s for a film of 0.1 mm at 100 km/h, which could carry 2.6 kW/K.
-// Rubber that meets cold water for the l/V = 3.5 ms of a contact gives 2 e/sqrt(pi t) = 14 kW/m2K with e = 758
-// W s^0.5/(m2 K), 135 W/K on 93 cm2: a twentieth of the film is heated through. The evaporated share is a guess.
+// The contact, W = S_cont/l wide, meets rho d W V of water a second: 0.27 kg/s for a film of 0.1 mm at 100 km/h and 96.5 mm
+// (93 cm2 over 96.7 mm, the tire at 4 kN), which could carry 1.12 kW/K. Rubber that meets cold water for the l/V = 3.5 ms of a
+// contact gives 2 e/sqrt(pi t) = 14 kW/m2K with e = 758 W s^0.5/(m2 K), 135 W/K on 93 cm2: 0.12 of the film are heated
+// through. The evaporated share is a guess.
 constexpr std::array parameters{
     ParameterSpec{"film_depth", "m", 1e-4, 0.0, 0.02, "water on the road; 0.05 to 1 mm", false, 0.0},
-    ParameterSpec{"heated", "1", 0.05, 0.0, 1.0, "share of the film that leaves at the tire's temperature; estimated"},
+    ParameterSpec{"heated", "1", 0.12, 0.0, 1.0, "share of the film that leaves at the tire's temperature; estimated"},
     ParameterSpec{"evaporated", "K-1", 1e-5, 0.0, 1.0, "share that evaporates per kelvin of tire over film; assumed"},
     ParameterSpec{"density", "kg m-3", 998.0, 1.0, 1e4, "density of water"},
     ParameterSpec{"heat_capacity", "J kg-1 K-1", 4186.0, 1.0, 1e5, "specific heat of water"},
@@ -29,15 +30,18 @@ constexpr std::array plausible{
                    "a tire at speed would float: the road was not that wet"},
 };
 constexpr std::array<std::string_view, 4> reads{"speed", "vertical_load", "road_temperature", "wet"};
+constexpr std::array<std::string_view, 1> may_read{"inflation_pressure"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 void place(const PlacementContext& context, ActiveEffect& active) { spread_over_patches(context, active); }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     const Inputs& in = point.inputs;
-    const double film = point.tire.touches(in.vertical_load)
-                            ? active[density] * active[film_depth] * point.tire.width * std::abs(in.speed)
-                            : 0.0;  // kg/s
+    double film = 0.0;  // kg/s
+    if (point.tire.touches(in.vertical_load)) {
+        const double width = point.tire.contact_area(in) / point.tire.contact_length(in);
+        film = active[density] * active[film_depth] * width * std::abs(in.speed);
+    }
     out[0] = in.wet * film * (active[heated] * active[heat_capacity] + active[evaporated] * active[latent_heat]);
     out[1] = out[0] * in.road_temperature;
 }
@@ -48,7 +52,7 @@ extern const Effect wet_road;
 const Effect wet_road{
     .id = "wet_road",
     .kind = Kind::loss,
-    .equation = "q = wet rho d W V (heated c_w + evaporated L) (T_road - T_surf)",
+    .equation = "q = wet rho d W V (heated c_w + evaporated L) (T_road - T_surf), W = S_cont/l",
     .source = "enthalpy balance of the film, this file; latent heat of water at 20 degC",
     .valid =
         "films of 0.05 to 1 mm that do not lift the tire (no aquaplaning); the shares that are heated and that "
@@ -59,6 +63,7 @@ const Effect wet_road{
     .parameters = parameters,
     .plausible = plausible,
     .reads = reads,
+    .may_read = may_read,
     .needs_tire = true,
     .patches = patches,
     .model =

@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 1> reads{"speed"};
 constexpr double metres_per_second_in_kmh = 3.6;
 
 double excess_speed(const ActiveEffect& active, const Tire& /*tire*/, const Inputs& inputs) {
-    return std::max(0.0, metres_per_second_in_kmh * std::abs(inputs.speed) - active[critical_speed]);
+    return std::max(0.0, metres_per_second_in_kmh * std::abs(rolling_speed(inputs)) - active[critical_speed]);
 }
 
 void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& inputs, Laws& laws) {

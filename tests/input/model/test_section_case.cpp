@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "physics/tire_laws/rolling_resistance.hpp"
@@ -118,6 +119,7 @@ TEST(SectionCase, ReadsForcesAndStiffness) {
         included("[tire]\nproperty_file = \"" + (source_folder() / "tests/input/data/made_up.tir").string() + R"("
 [tire.modulus]
 lambda_CP = 0.5
+tuned = true
 [drive]
 slip_angle = "0.01 deg"
 [[sensor]]
@@ -156,6 +158,47 @@ kind = "reference_lateral_force"
         .load = 4000.0, .slip = 0.01 / 180.0 * std::numbers::pi, .camber = 0.0, .speed = 100.0 / 3.6};
     EXPECT_NEAR(final("force"), problem.handling.magic_formula->lateral(state, CP / K).force, 1e-9);
     EXPECT_NEAR(final("reference"), problem.handling.magic_formula->lateral(state).force, 1e-9);
+}
+
+// Another tire's file keeps its own stiffness, -20 4000 sin(2 atan(1/2)) 1.05 = -67200 N/rad at 4 kN, and the moduli tell how it
+// changes from the reference temperature on: by 1 where the bulk has it, and by CP(T)/CP(T_ref) elsewhere. The moduli alone, 30
+// times the load, would make 1.8 times the file's stiffness of it.
+TEST(SectionCase, AForeignPropertyFileKeepsItsStiffness) {
+    const std::string file =
+        "[tire]\nproperty_file = \"" + (source_folder() / "tests/input/data/made_up.tir").string() + "\"\n";
+    const auto read_at = [&](const std::string& modulus) {
+        const Written written;
+        return read_case(written.add("case.toml", included(file + modulus + R"(
+[drive]
+slip_angle = "0.01 deg"
+[[sensor]]
+name = "stiffness"
+kind = "cornering_stiffness"
+[[sensor]]
+name = "factor"
+kind = "bulk_temperature_factor"
+)")));
+    };
+    const Reading reading = read_at("");
+    ASSERT_TRUE(reading.problem) << render(reading);
+    ASSERT_EQ(reading.warnings.size(), 1U) << render(reading);
+    EXPECT_NE(
+        reading.warnings[0].find("made_up.tir is taken for that at a bulk of 70 degC, from where stiffness follows"),
+        std::string::npos)
+        << reading.warnings[0];
+    const solver::Problem& problem = *reading.problem;
+    const solver::Report report = run(problem);
+    const auto final = [&](std::string_view name) { return report.channel_final[channel(problem, name)]; };
+    const auto CP = [&](double T) { return physics::cornering_stiffness({}, problem.tire, 4000.0, T).value; };
+    const double factor = CP(final("bulk_temperature")) / CP(343.15);
+    EXPECT_NEAR(final("factor"), factor, 1e-9);
+    EXPECT_NEAR(final("stiffness"), 67200.0 * factor, 1e-4);
+    const std::string there =
+        fmt::format("[tire.modulus]\nreference_temperature = \"{} K\"\n", final("bulk_temperature"));
+    const Reading same = read_at(there);
+    ASSERT_TRUE(same.problem) << render(same);
+    EXPECT_TRUE(same.warnings.empty()) << render(same);
+    EXPECT_NEAR(run(*same.problem).channel_final[channel(*same.problem, "stiffness")], 67200.0, 1.0);
 }
 
 // The contact that rolls stands for the one that does not: both would count the road's heat twice.

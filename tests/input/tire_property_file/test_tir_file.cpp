@@ -130,7 +130,7 @@ TEST(TirFile, FormulaVersion61BringsItsOwnCoefficients) {
         EXPECT_EQ(result.tire->law.version, physics::MagicFormulaVersion::mf61);
         EXPECT_DOUBLE_EQ(result.tire->law.pKy4, 1.9);
         EXPECT_DOUBLE_EQ(result.tire->law.pKy6, -0.8);
-        expect_warning(result, "terms of the pressure are not used (PPY1)");
+        expect_warning(result, "PPY1 is not used, as no term of the pressure: NOMPRES is missing");
     }
 }
 
@@ -145,11 +145,23 @@ TEST(TirFile, CoefficientsOfTheOtherVersionAreWarnedOfAndLeft) {
     expect_warning(recent, "PHY3 is not used by MF 6.1");
 }
 
-TEST(TirFile, PressureOffTheNominalIsWarnedOf) {
-    const std::string pressures = "[OPERATING_CONDITIONS]\nINFLPRES = 240000\nNOMPRES = 220000\n";
-    const Read result = read_text_as_file(shortest("FITTYP = 61") + pressures);
-    ASSERT_TRUE(result.tire);
-    expect_warning(result, "INFLPRES is not used: the forces are those at NOMPRES = 220000");
+// A file in millimetres and newtons has pressures in N/mm2: 0.22 and 0.28 are 220 and 280 kPa, dp = 0.272727. PKY1 = -20 and PKY2 =
+// 2 make 64000 N/rad at 220 kPa and -80000 0.890909 sin(2 atan(1/1.672727)) = -62780 at 280 kPa.
+TEST(TirFile, TermsOfThePressureActAboutTheNominalOne) {
+    const std::string terms = "PPY1 = -0.4\nPPY2 = -0.6\n[OPERATING_CONDITIONS]\nINFLPRES = 280000\nNOMPRES = 220000\n";
+    const Read result = read_text_as_file(shortest("FITTYP = 61") + terms);
+    ASSERT_TRUE(result.tire) << result.report;
+    EXPECT_TRUE(result.warnings.empty());
+    EXPECT_NEAR(result.tire->law.cornering_stiffness(4000.0, 0.0), -62780.0, 1.0);
+    EXPECT_NEAR(result.tire->law.cornering_stiffness(4000.0, 0.0, 220e3), -64000.0, 1e-9);
+    std::string text = shortest("FITTYP = 61\n[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\n");
+    text.replace(text.find("= 0.33"), 6, "= 330");
+    text.replace(text.find("= 0.225"), 7, "= 225");
+    const Read in_mm = read_text_as_file(text + "NOMPRES = 0.22\nPPY1 = -0.4\n");
+    ASSERT_TRUE(in_mm.tire) << in_mm.report;
+    EXPECT_NEAR(in_mm.tire->law.nominal_pressure, 220e3, 1e-6);
+    const Read bar = read_text_as_file(shortest("FITTYP = 61") + "NOMPRES = 2.2\n");
+    EXPECT_TRUE(contains(bar.report, "NOMPRES is 2.2 Pa; 10000 to 3e+06 Pa are possible")) << bar.report;
 }
 
 TEST(TirFile, WithoutLongitudinalCoefficientsThereIsNoLongitudinalForce) {
@@ -263,9 +275,9 @@ TEST(TirFile, ATireOfTheLeftSideIsTurnedForTheRight) {
     expect_warning(read_text_as_file(shortest("FITTYP = 5\nTYRESIDE = 'NEARSIDE'")), "neither LEFT nor RIGHT");
 }
 
-TEST(TirFile, TermsOfThePressureAreSaidNotToBeUsed) {
-    expect_warning(read_text_as_file(shortest("FITTYP = 61") + "PPY1 = 0.3\nPPY2 = 0\nPPY3 = -0.1\n"),
-                   "terms of the pressure are not used (PPY1, PPY3): the forces are those at the nominal pressure");
+TEST(TirFile, TermsOfThePressureNeedTheNominalOne) {
+    expect_warning(read_text_as_file(shortest("FITTYP = 61") + "PPY2 = 0\nPPY3 = -0.1\n"),
+                   "PPY3 is not used, as no term of the pressure: NOMPRES is missing");
 }
 
 }  // namespace tiretherm::input

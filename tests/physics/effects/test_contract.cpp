@@ -126,10 +126,9 @@ TEST_P(EveryEffect, BooksExactlyTheWattsItGives) {
         for (const std::vector<Part>& parts : {std::vector{part()}, with(thesis(bench), part())}) {
             Whole whole(bench, parts);
             whole.ask(lively(), random_field(n_nodes(whole), random));
-            double given = 0.0;
+            const double given = whole.system().of_budget(whole.system().heat_flow());
             double turnover = 0.0;
             for (const double q : whole.system().heat_flow()) {
-                given += q;
                 turnover += std::abs(q);
             }
             double attributed = 0.0;

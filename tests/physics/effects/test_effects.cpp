@@ -67,7 +67,7 @@ TEST(StrainEnergyLossEffect, SharesTheLawByMassAndScalesEachPart) {
 TEST(SlidingFrictionEffect, PutsItsShareIntoTheSurface) {
     // 0.6 (500 N * 27.778 m/s * 0.01 + 2000 N * 27.778 m/s * tan 2 deg) = 0.6 (138.889 + 1940.04) = 1247.36 W
     const Bench bench = two_nodes();
-    const Terms terms = bench.said(bench.active("sliding_friction"), rolling(), bench.T);
+    const Terms terms = bench.said(bench.active("sliding_friction"), driven(), bench.T);
     EXPECT_NEAR(terms.node_q[0], 1247.36, 0.01);
     EXPECT_EQ(terms.node_q[1], 0.0);
 }
@@ -85,12 +85,12 @@ TEST(SlidingFrictionEffect, SwitchesEachDirectionOff) {
     const Bench bench = two_nodes();
     ActiveEffect effect = bench.active("sliding_friction");
     effect.choices[0] = 1;
-    EXPECT_NEAR(bench.watts(effect, rolling()), 0.6 * 1940.04, 0.01);
+    EXPECT_NEAR(bench.watts(effect, driven()), 0.6 * 1940.04, 0.01);
     effect.choices[0] = 0;
     effect.choices[1] = 1;
-    EXPECT_NEAR(bench.watts(effect, rolling()), 0.6 * 138.889, 0.01);
+    EXPECT_NEAR(bench.watts(effect, driven()), 0.6 * 138.889, 0.01);
     effect.choices[0] = 1;
-    EXPECT_EQ(bench.watts(effect, rolling()), 0.0);
+    EXPECT_EQ(bench.watts(effect, driven()), 0.0);
 }
 
 TEST(SlidingFrictionEffect, NeedsContact) {

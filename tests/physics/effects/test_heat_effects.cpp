@@ -127,9 +127,12 @@ TEST(GrooveConvection, IsAFinOnTheForcedPart) {
 }
 
 TEST(WetRoad, HeatsAndEvaporatesTheFilmItMeets) {
-    // 998 * 1e-4 * 0.225 * 27.778 = 0.62375 kg/s; times 0.05 * 4186 + 1e-5 * 2.45e6 = 233.8 J/kgK: 145.83 W/K; 12 K.
+    // The contact is 9.3320e-3 m2 / 0.096699 m = 96.51 mm wide, not as wide as the tire: 998 * 1e-4 * 0.09651 * 27.778 = 0.26754
+    // kg/s; times 0.12 * 4186 + 1e-5 * 2.45e6 = 526.8 J/kgK: 140.95 W/K; 12 K.
     Whole whole(two_nodes(), {{"wet_road"}});
-    EXPECT_NEAR(whole.ask(rolling()).watts("wet_road"), -12.0 * 145.83, 0.1);
+    const Tire& tire = whole.problem().tire;
+    EXPECT_NEAR(tire.contact_area(4000.0) / tire.contact_length(4000.0), 0.09651, 1e-5);
+    EXPECT_NEAR(whole.ask(rolling()).watts("wet_road"), -12.0 * 140.95, 0.2);
     Inputs dry = rolling();
     dry.wet = 0.0;
     EXPECT_EQ(whole.ask(dry).watts("wet_road"), 0.0);

@@ -39,8 +39,8 @@ TEST(SlipInputGain, IsAFactorOnTheHeatOfFriction) {
     // 0.6 (138.889 + 1940.04) W at 2 degrees and 1 % (SlidingFrictionEffect), each times 1.3.
     Whole plain(two_nodes(), {{"sliding_friction"}});
     Whole more(two_nodes(), {{"sliding_friction"}, {"slip_input_gain", {{"gain", 1.3}}}});
-    EXPECT_NEAR(more.ask(rolling()).watts("sliding_friction"), 1.3 * 1247.36, 0.01);
-    Inputs large = rolling();
+    EXPECT_NEAR(more.ask(driven()).watts("sliding_friction"), 1.3 * 1247.36, 0.01);
+    Inputs large = driven();
     large.slip_angle = -0.4;  // where the tangent is no longer the angle
     EXPECT_NEAR(more.ask(large).watts("sliding_friction"), 1.3 * plain.ask(large).watts("sliding_friction"), 1e-9);
 }
@@ -54,7 +54,7 @@ TEST(LoadInputGain, IsAFactorOnTheLoad) {
 TEST(SpeedInputGain, IsAFactorOnTheSpeed) {
     // Friction power is proportional to the speed: 0.9 * 1247.36 W.
     Whole whole(two_nodes(), {{"sliding_friction"}, {"speed_input_gain", {{"gain", 0.9}}}});
-    EXPECT_NEAR(whole.ask(rolling()).watts("sliding_friction"), 0.9 * 1247.36, 0.01);
+    EXPECT_NEAR(whole.ask(driven()).watts("sliding_friction"), 0.9 * 1247.36, 0.01);
 }
 
 TEST(LaserAbsorptivity, IsAFactorThatFalls) {

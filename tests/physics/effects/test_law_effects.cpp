@@ -127,10 +127,10 @@ TEST(ConvectionExponent, StartsFromTheExponentInUse) {
 TEST(PartitionSpeed, IsALineInTheSlidingSpeed) {
     // v_s = 27.778 sqrt(0.01^2 + tan(2 deg)^2) = 27.778 * 0.036324 = 1.00900 m/s; 0.05 s/m: 1.050450 times 1247.36 W.
     Whole whole(two_nodes(), {{"sliding_friction"}, {"partition_speed", {{"slope", 0.05}}}});
-    EXPECT_NEAR(whole.ask(rolling()).watts("sliding_friction"), 1.050450 * 1247.36, 0.02);
+    EXPECT_NEAR(whole.ask(driven()).watts("sliding_friction"), 1.050450 * 1247.36, 0.02);
     // Not clamped: 0.6 (1 + 2 * 1.009) = 1.81 of the friction power.
     Whole beyond(two_nodes(), {{"sliding_friction"}, {"partition_speed", {{"slope", 2.0}}}});
-    EXPECT_NEAR(beyond.ask(rolling()).watts("sliding_friction"), 3.01800 * 1247.36, 0.05);
+    EXPECT_NEAR(beyond.ask(driven()).watts("sliding_friction"), 3.01800 * 1247.36, 0.05);
 }
 
 TEST(LossTangentSlope, TurnsTheLossTangentAbout60C) {
@@ -190,6 +190,8 @@ TEST(InflationPressureRise, FollowsAGasThatCostsTheBulkNothing) {
     EXPECT_NEAR(whole.watts("strain_energy_loss") / plain.watts("strain_energy_loss"), 0.966919, 1e-6);
     EXPECT_NEAR(whole.flow(whole.node("pressure_gas")), 107.95, 1e-9);
     EXPECT_NEAR(whole.flow(1), 0.85 * whole.watts("strain_energy_loss"), 1e-9);
+    EXPECT_EQ(whole.watts("inflation_pressure_rise"), 0.0) << "a state of the law, no heat of the tire";
+    EXPECT_NEAR(whole.system().of_budget(whole.system().heat_flow()), whole.watts("strain_energy_loss"), 1e-9);
     EXPECT_EQ(whole.system().capacity(2, 300.0), 70.0);
 }
 

@@ -93,4 +93,33 @@ TEST(SlipSpeed, SpinningOnTheSpotHeats) {
     EXPECT_NEAR(whole.ask(inputs).watts("sliding_friction"), 0.6 * 3000.0 * 3.0, 1e-6) << "a ratio of 10 m/s is 3 m/s";
 }
 
+// A locked wheel does not turn: nothing is deformed, whichever way its slip is given, and 0.6 3000 N 10 m/s are the heat of
+// sliding. A tenth of slip is a tenth of the revolutions, and the thesis's V stays to be had.
+TEST(SlipRatio, ALockedWheelDoesNotRoll) {
+    Inputs inputs = rolling();
+    inputs.lateral_force = 0.0;
+    inputs.slip_ratio = 0.0;
+    inputs.speed = 10.0;
+    inputs.longitudinal_force = -3000.0;
+    Whole whole(two_nodes(), {{"strain_energy_loss"}, {"sliding_friction"}});
+    const double free = whole.ask(inputs).watts("strain_energy_loss");
+    EXPECT_GT(free, 100.0);
+    Inputs by_speed = inputs;
+    for (const double slip : {-1.0, -0.1, 0.1}) {
+        inputs.slip_ratio = slip;
+        by_speed.slip_speed = 10.0 * slip;
+        const double loss = whole.ask(inputs).watts("strain_energy_loss");
+        EXPECT_NEAR(whole.watts("sliding_friction"), 0.6 * 30e3 * std::abs(slip), 1e-9);
+        EXPECT_EQ(whole.ask(by_speed).watts("strain_energy_loss"), loss);
+        EXPECT_EQ(slip == -1.0, loss == 0.0);
+        Inputs slower = rolling();
+        slower.slip_ratio = 0.0;
+        slower.speed = 10.0 * (1.0 + slip);
+        EXPECT_NEAR(whole.ask(slower).watts("strain_energy_loss"), loss, 1e-12 * free);
+    }
+    Whole of_thesis(two_nodes(), {{"strain_energy_loss", {}, {{"speed", 1}}}, {"sliding_friction"}});
+    inputs.slip_ratio = -1.0;
+    EXPECT_EQ(of_thesis.ask(inputs).watts("strain_energy_loss"), free);
+}
+
 }  // namespace tiretherm::physics

@@ -221,4 +221,30 @@ TEST(MagicFormula, BackwardsTurnsTheSlipAngle) {
               law.lateral({.load = 4000.0, .slip = -0.05, .speed = 10.0}).force);
 }
 
+// At 280 kPa, 220 nominal, dp = 0.272727. With PPY1 = -0.4 and PPY2 = -0.6 the stiffness is 80000 0.890909 sin(2 atan(1 / (2
+// 0.836364))) = 71272.7 sin(2 atan(0.597826)) = 71272.7 * 0.880842 = 62780 N/rad; 64000 at 220 kPa. Friction: 1 + 0.1 dp - 0.2
+// dp^2 = 1.0123967; K_x: 1 - 0.2 dp + 0.3 dp^2 = 0.9677686; K_ygamma: 1 + 0.5 dp = 1.1363636.
+TEST(MagicFormula, FollowsThePressure) {
+    MagicFormula law = plain(MagicFormulaVersion::mf61);
+    law.nominal_pressure = 220e3;
+    law.pPy1 = -0.4, law.pPy2 = -0.6, law.pPy3 = 0.1, law.pPy4 = -0.2, law.pPy5 = 0.5;
+    law.pPx1 = -0.2, law.pPx2 = 0.3, law.pPx3 = 0.1, law.pPx4 = -0.2;
+    law.pKy6 = 0.7;
+    const PureSlipState nominal{.load = 4000.0, .slip = 0.05};
+    PureSlipState hot = nominal;
+    hot.pressure = 280e3;
+    EXPECT_NEAR(law.cornering_stiffness(4000.0, 0.0), 64000.0, 1e-9);
+    EXPECT_NEAR(law.cornering_stiffness(4000.0, 0.0, 280e3), 62780.0, 1.0);
+    EXPECT_NEAR(law.lateral(hot).stiffness, 62780.0, 1.0);
+    EXPECT_NEAR(law.lateral(hot).peak / law.lateral(nominal).peak, 1.0123967, 1e-7);
+    EXPECT_NEAR(law.longitudinal(hot).peak / law.longitudinal(nominal).peak, 1.0123967, 1e-7);
+    EXPECT_NEAR(law.longitudinal(hot).stiffness / law.longitudinal(nominal).stiffness, 0.9677686, 1e-7);
+    EXPECT_NEAR(law.camber_stiffness(4000.0, 280e3) / law.camber_stiffness(4000.0), 1.1363636, 1e-7);
+    // Without a pressure of the state it is the file's own; without a nominal one nothing is known of it.
+    law.own_pressure = 280e3;
+    EXPECT_EQ(law.lateral(nominal).force, law.lateral(hot).force);
+    law.nominal_pressure = 0.0;
+    EXPECT_NEAR(law.cornering_stiffness(4000.0, 0.0, 280e3), 64000.0, 1e-9);
+}
+
 }  // namespace tiretherm::physics

@@ -63,6 +63,12 @@ void add_terms_square_without(const physics::EvaluationState& m, physics::Terms&
     const double T = m.temperature[0];
     terms.heat(0, -1e-3 * T * T);
 }
+/// Heat as strong as the laser, whatever the mesh.
+void coefficients_of_lamp(const physics::ActiveEffect& /*active*/, const physics::OperatingPoint& point,
+                          std::span<double> coefficients) {
+    coefficients[0] = point.inputs.laser_power;
+}
+void add_terms_of_lamp(const physics::EvaluationState& m, physics::Terms& terms) { terms.heat(0, m.coefficients[0]); }
 
 physics::Effect effect(std::string_view id, void (*add_terms)(const physics::EvaluationState&, physics::Terms&),
                        bool derivatives) {
@@ -440,6 +446,29 @@ TEST(March, NoStepIsLongerThanTheLargest) {
     EXPECT_GE(held.time.size(), 144U);
     EXPECT_LE(longest, 7.0 + 1e-9);
     EXPECT_NEAR(held.channels.back()[0], free.channels.back()[0], 10.0 * problem.settings.tolerance);
+}
+
+// A source that rises from 0 to 100 W over 1000 s gives t/10 W at t, also in rows between the ends of steps, and has given
+// t^2/20 J.
+TEST(Run, WattsOfARowAreThoseOfItsTime) {
+    physics::Effect lamp = effect("lamp", add_terms_of_lamp, true);
+    lamp.model = physics::HeatEffect{
+        .n_coefficients = 1, .evaluate_coefficients = coefficients_of_lamp, .add_terms = add_terms_of_lamp};
+    Problem problem = strip(4);
+    problem.effects.push_back(physics::activate(lamp, problem.mesh));
+    problem.input_signals.add({.signal = physics::find_signal("laser_power"),
+                               .time = std::vector{0.0, 1000.0},
+                               .value = std::vector{0.0, 100.0}});
+    problem.settings.output_interval = 7.0;
+    std::size_t rows = 0;
+    const Report report = run(problem, [&](const Snapshot& s) {
+        EXPECT_NEAR(s.watts.back(), 0.1 * s.time, 1e-9) << s.time;
+        EXPECT_NEAR(s.joules.back(), 0.05 * s.time * s.time, 1e-6) << s.time;
+        ++rows;
+        return true;
+    });
+    ASSERT_TRUE(report.status.ok()) << report.status.message;
+    EXPECT_GT(rows, 2U * static_cast<std::size_t>(report.steps)) << "rows lie between the ends of steps";
 }
 
 }  // namespace tiretherm::solver
