@@ -113,6 +113,8 @@ Switch on/off Track-Tire Exchange; Track-Tire Exchange | on | effects.road_conta
 Switch on/off Strain Energy generation; Strain Energy generation; SEL generation | on | effects.strain_energy_loss.on | | true | the model is whole
 Switch on/off Surface-Bulk conduction; Surface-Bulk conduction | on | effects.conduction.on | | true | the model is whole
 """
+# A number that a second law of the case has as well, whatever takes its place in the first.
+ALSO = {"Tand peak Temperature": "effects.strain_energy_loss.tan_delta_peak"}
 LOAD = "Vertical Load; Fz; Load; Vertical Load vector for "
 TEMPERATURE = "Temperature; T; Bulk Temperature; Temperature Vector for lateral stiffness"
 # Measured tables: sheet | first column | unit | other column | unit | key, whose last part is the law that it can stand for
@@ -475,6 +477,9 @@ class Case:
         value = self.sheets.values.get(parameter)
         rival = next((p for p, v in self.sheets.values.items() if p != parameter and v.sound and key and p.key == key and
                       p.sheet == "LateralStiffness"), None)
+        if name in ALSO and value and value.sound:
+            written = [quantity(value.number, value.unit)]
+            self.entries.append(Entry(ALSO[name], written, f"{sheet}: {name}", name, [value.cell], parameter.units[0]))
         if value is None or not value.sound:
             if parameter.reason and use != "none" and not rival and not self.table_for(parameter.law):
                 self.assume(key, parameter.standard, parameter.reason, sheet, name)
