@@ -10,11 +10,12 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-/// Gas and rim start with the air around them, or as the rest where there is no air, as in a case that says nothing. K
-double start_of_own_nodes(const solver::Problem& problem) {
+/// As in a case that says nothing: at the effect's input, the air around gas and rim, or as the rest where it is not given. K
+double start_of_own_nodes(const solver::Problem& problem, const physics::Effect& effect) {
+    const physics::HeatEffect* heat = effect.heat_effect();
+    const physics::Signal& around = *physics::find_signal(heat != nullptr ? heat->starts_at : "air_temperature");
     const physics::Inputs first = problem.input_signals.at(problem.settings.start, solver::JumpSide::after);
-    return problem.input_signals.gives(*physics::find_signal("air_temperature")) ? first.air_temperature
-                                                                                 : problem.initial.front();
+    return problem.input_signals.gives(around) ? first.*around.member : problem.initial.front();
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ input::Experiment with(input::Experiment experiment, const std::vector<Candidate
                 continue;
             }
             const physics::ActiveEffect active = active_at(candidate, run.problem.mesh, values[k]);
-            number.effect = solver::switch_on(run.problem, active, start_of_own_nodes(run.problem));
+            number.effect = solver::switch_on(run.problem, active, start_of_own_nodes(run.problem, *active.effect));
         }
         experiment.parameters.push_back(std::move(number));
     }

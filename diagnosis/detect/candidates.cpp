@@ -248,9 +248,10 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
     }
 }
 
-/// Most cases have no place for an effect that is tried beside another only.
+/// Most cases have no place for an effect that is tried beside another only; the inputs of a car's log are those of a road.
 bool is_worth_trying(const solver::Problem& problem, const Effect& effect, const std::vector<std::string>& chosen) {
-    return effect.tried_beside.empty() || !chosen.empty() || is_on(problem, *physics::find_effect(effect.tried_beside));
+    return effect.tried_beside.empty() || !chosen.empty() ||
+           (problem.input_model == nullptr && is_on(problem, *physics::find_effect(effect.tried_beside)));
 }
 
 /// Numbers of an effect that is on, with one value everywhere that the fit does not free, where the case doubts them.

@@ -29,19 +29,29 @@ struct StartReader {
     }
     [[nodiscard]] std::optional<double> read(TomlTable& initial, std::string_view key,
                                              Need need = Need::optional) const;
-    /// The air around the tire when the run starts; nothing where no air is given.
-    [[nodiscard]] std::optional<double> first_air() const;
+    /// An input, such as the air's temperature, when the run starts; nothing where it is not given.
+    [[nodiscard]] std::optional<double> first(std::string_view signal) const;
+    /// The input that a lumped node starts at: that of the effect which brings the node.
+    [[nodiscard]] std::string_view around(int lumped_node) const;
 
 private:
     /// The sensors' mean at the start of the run, in its first second. @param sensor its name, or that of an array
     [[nodiscard]] std::optional<double> first_reading(std::string_view sensor) const;
 };
 
-std::optional<double> StartReader::first_air() const {
-    return given.contains("air_temperature")
-               ? std::optional(
-                     problem.input_signals.at(problem.settings.start, solver::JumpSide::after).air_temperature)
+std::optional<double> StartReader::first(std::string_view signal) const {
+    const auto found = given.find(signal);
+    return found != given.end()
+               ? std::optional(problem.input_signals.at(problem.settings.start, solver::JumpSide::after).*
+                               physics::find_signal(signal)->member)
                : std::nullopt;
+}
+
+std::string_view StartReader::around(int lumped_node) const {
+    const auto brings = std::ranges::find_if(problem.effects, [&](const physics::ActiveEffect& active) {
+        return std::ranges::count(active.lumped_nodes, lumped_node) > 0;
+    });
+    return brings->effect->heat_effect()->starts_at;
 }
 
 std::optional<double> StartReader::first_reading(std::string_view sensor) const {
@@ -92,7 +102,7 @@ std::optional<double> StartReader::read(TomlTable& initial, std::string_view key
     if (!is_text || node->text != "air_temperature") {
         return initial.quantity(key, quantity_specs::temperature, need);
     }
-    const std::optional<double> air = first_air();
+    const std::optional<double> air = first("air_temperature");
     if (!air) {
         initial.add_error(key, fmt::format("{} is set to \"air_temperature\", but no air temperature is given", key),
                           "add air_temperature to [drive], or write a temperature");
@@ -125,11 +135,12 @@ std::vector<double> read_initial(TomlTable& root, const solver::Problem& problem
         const auto own = start.read(initial, layer, needed ? Need::required : Need::optional);
         of_layer.push_back(own.value_or(everywhere.value_or(0.0)));
     }
-    // Gas and rim start with the air around them, or as the rest where there is no air.
-    const double around = start.first_air().value_or(everywhere.value_or(of_layer.front()));
+    // Gas and rim start with the air around them, a drum with the road, or as the rest where these are not given.
+    const double rest = everywhere.value_or(of_layer.front());
     std::map<int, double> of_node;
     for (const mesh::LumpedNode& lumped_node : mesh.lumped_nodes) {
-        of_node[lumped_node.node] = start.read(initial, lumped_node.name).value_or(around);
+        of_node[lumped_node.node] =
+            start.read(initial, lumped_node.name).value_or(start.first(start.around(lumped_node.node)).value_or(rest));
     }
     if (initial.errors().count() > before) {
         return temperatures;

@@ -13,6 +13,7 @@
 #include "input/text/quantity_specs.hpp"
 #include "input/text/word_lists.hpp"
 #include "physics/contact/travelling.hpp"
+#include "physics/tire_laws/rolling_resistance.hpp"
 #include "solver/quantity_inputs.hpp"
 #include "solver/system.hpp"
 
@@ -158,6 +159,54 @@ void warn_of_doubles(TomlTable& root, const solver::Problem& problem) {
                                "{0} and {1} both act and count the same heat twice: [effects.{1}] on = false",
                                active.effect->id, other);
         }
+    }
+}
+
+void check_road(TomlTable& root, const solver::Problem& problem) {
+    const auto is_on = [&](std::string_view id) {
+        return std::ranges::any_of(problem.effects, [&](const ActiveEffect& a) { return a.effect->id == id; });
+    };
+    InputErrors& errors = root.errors();
+    const physics::Tire& tire = problem.tire;
+    if (tire.loss_drum_diameter > 0.0 && root.has("vehicle") && !is_on("drum_curvature")) {
+        const TomlValue* key = root.content().find({"tire", "loss_drum_diameter"});
+        errors.warn(key != nullptr ? key->place : root.place("tire"),
+                    "the loss was measured on a drum of {:g} m, and a car drives on a flat road, where it is {:.3f} of "
+                    "that: add [effects.drum_curvature] curvature = \"0 1/m\"",
+                    tire.loss_drum_diameter,
+                    physics::to_drum(1.0, tire.curvature_of_loss(), 0.0, tire.unloaded_radius));
+    }
+    if (!is_on("drum_heating")) {
+        return;
+    }
+    const SourceLocation place = root.content().find({"effects", "drum_heating"})->place;
+    const std::string off = "remove [effects.drum_heating]";
+    if (root.has("vehicle")) {
+        errors.add(place,
+                   "drum_heating is of a drum or a belt, and the car of [vehicle] drives on a road: it meets fresh "
+                   "road everywhere and does not warm it",
+                   off);
+    }
+    for (const solver::Channel& channel : problem.channels) {
+        if (channel.quantity == solver::Quantity::surface_at_entry ||
+            channel.quantity == solver::Quantity::surface_at_exit) {
+            const std::string_view kind = solver::description_of(channel.quantity).kind;
+            errors.add(place,
+                       fmt::format("{} is of the kind {}, which knows a road of road_temperature alone, and "
+                                   "drum_heating lets the drum warm up",
+                                   channel.name, kind),
+                       fmt::format("remove the sensor {}, or {}", channel.name, off));
+        }
+    }
+    const physics::Signal& road = *physics::find_signal("road_temperature");
+    const bool is_series = std::ranges::any_of(problem.input_signals.series(), [&](const solver::Series& series) {
+        return series.signal == &road &&
+               std::ranges::adjacent_find(series.value, std::ranges::not_equal_to{}) != series.value.end();
+    });
+    if (is_series) {
+        errors.warn(place,
+                    "road_temperature changes along the run: the drum of drum_heating starts at its first value "
+                    "and then follows its own heat, and the later values do not count");
     }
 }
 

@@ -20,6 +20,10 @@ void warn_of_doubles(TomlTable& root, const solver::Problem& problem);
 /// Signals that the active effects need and [drive] lacks.
 void check_signals(TomlTable& root, const EffectSurroundings& in, const solver::Problem& problem);
 
+/// Whether what the case says of its road agrees: a drum that the tire heats, a drum on which the loss was measured, a car
+/// that drives on a flat road, sensors that read the flash against the given road.
+void check_road(TomlTable& root, const solver::Problem& problem);
+
 /// A warning about heat of sliding of which both its partition and a contact that is resolved give the road a share.
 void warn_of_two_shares(TomlTable& root, const GivenSignals& given, const solver::Problem& problem);
 

@@ -104,6 +104,7 @@ void check_effects(TomlTable& root, const GivenSignals& given, const std::vector
     }
     warn_of_unread_signals(root, given, followed, problem);
     warn_of_doubles(root, problem);
+    check_road(root, problem);
     warn_of_two_shares(root, given, problem);
 }
 

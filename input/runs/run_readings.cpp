@@ -126,9 +126,10 @@ void warn_of_starts(const TomlValue& document, const solver::Problem& problem, c
             const double start = problem.initial[static_cast<std::size_t>(lumped.node)];
             if (std::abs(*first - start) > far) {
                 errors.warn(initial->place,
-                            "{} starts at {:.0f} degC, as the air around, and {} reads {:.0f} degC first: "
+                            "{} starts at {:.0f} degC, as the {}, and {} reads {:.0f} degC first: "
                             "{} = \"{}\" in [initial] starts it there",
-                            lumped.name, start - 273.15, channel.name, *first - 273.15, lumped.name, channel.name);
+                            lumped.name, start - 273.15, lumped.name == "drum" ? "road" : "air around", channel.name,
+                            *first - 273.15, lumped.name, channel.name);
             }
         }
     }

@@ -28,7 +28,7 @@ std::vector<TableKeys> sensor_tables() {
             text("layer", "Name of the layer.").required().kinds("layer"),
             text("zone", "Name of the zone; of a `layer` on a section: the part of it in this zone.").required().kinds("zone"),
             text("region", "Name of the region.").required().kinds("region"),
-            text("node", "`gas` or `rim`.").required().kinds("node"),
+            text("node", "`gas`, `rim` or `drum`.").required().kinds("node"),
             quantity("from", coordinate, "Arc length from the centre plane, negative outboard.").required().kinds("strip strips"),
             quantity("to", coordinate, "Arc length from the centre plane.").required().kinds("strip strips"),
             count("count", 2, 1000, "Number of strips side by side.").required().kinds("strips"),

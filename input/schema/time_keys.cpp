@@ -12,7 +12,7 @@ using namespace quantity_specs;
 std::vector<TableKeys> time_tables() {
     return {
         {"initial", TableForm::table,
-         "The temperatures at the start. Beside `temperature` there may be a key for each layer, which wins, and for nodes of their own, `gas` and `rim` (default: the air's). Instead of a temperature each may be `\"air_temperature\"`, that of the air at the start, or the name of a sensor that the run measures: the mean of its readings (of all strips of an array) in the first second of the run.", {
+         "The temperatures at the start. Beside `temperature` there may be a key for each layer, which wins, and for nodes of their own, `gas` and `rim` (default: the air's) and `drum` (the road's). Instead of a temperature each may be `\"air_temperature\"`, that of the air at the start, or the name of a sensor that the run measures: the mean of its readings (of all strips of an array) in the first second of the run.", {
             quantity("temperature", temperature, "Temperature everywhere; required unless each layer has its own.").required(),
         }, true},
         {"limits", TableForm::table,

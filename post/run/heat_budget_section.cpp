@@ -38,13 +38,21 @@ int decimals_for(const std::vector<double>& values) {
     return std::clamp(5 - before_point, 1, 4);
 }
 
-/// Which heat of sliding is counted where; empty where nothing slides.
+/// Which heat of sliding, and of a drum, is counted where; empty where nothing slides.
 std::string shares_of_sliding(const RunRecord& run) {
     const std::vector<physics::ActiveEffect>& effects = run.problem.effects;
     const auto index_of = [&](std::string_view id) {
         const auto found = std::ranges::find_if(effects, [&](const auto& active) { return active.effect->id == id; });
         return static_cast<std::size_t>(found - effects.begin());
     };
+    if (const std::size_t drum = index_of("drum_heating"); drum != effects.size()) {
+        const double share =
+            effects[drum][static_cast<std::size_t>(physics::find_parameter(*effects[drum].effect, "share"))];
+        return fmt::format(
+            "drum_heating is what the drum loses to the air; the contact moves heat from tread to drum, and "
+            "sliding_friction counts in both{}",
+            share < 1.0 ? fmt::format(", for a share of {:g} of what the road takes", share) : "");
+    }
     const std::size_t sliding = index_of("sliding_friction");
     if (sliding == effects.size() || run.report.watts[sliding] + run.report.joules[sliding] == 0.0) {
         return {};

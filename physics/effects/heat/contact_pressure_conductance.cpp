@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/contact/heated_road.hpp"
 #include "physics/spread.hpp"
 
 namespace tiretherm::physics::effects {
@@ -30,6 +31,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     if (road == nullptr) {
         active.nodes.clear();
         active.weights.clear();
+        active.share_of_drum = 0.0;
         return;
     }
     const auto number = [&](std::string_view key) {
@@ -41,6 +43,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     for (double& weight : active.weights) {
         weight *= number("lambda_Hc") * number("Hc");
     }
+    place_heated_road(context, active);
 }
 
 // (35) with A = 0 makes the mean pressure 1/B whatever the load; here it is taken to follow the load, p/p0 = Fz/Fz0.
@@ -57,7 +60,12 @@ void add_terms(const EvaluationState& m, Terms& terms) {
         const int node = m.active.nodes[i];
         const double G = m.active.weights[i] * m.coefficients[0];
         const double T = m.temperature[static_cast<std::size_t>(node)];
-        terms.heat(node, m.active.weights[i] * m.coefficients[1] - G * T, -G);
+        const double share = m.active.share_of_drum;
+        terms.heat(node, (1.0 - share) * (m.active.weights[i] * m.coefficients[1] - G * T), (share - 1.0) * G);
+        if (share > 0.0) {
+            const double drop = m.temperature[static_cast<std::size_t>(drum_of(m))] - T;
+            take_from_drum(m, i, share * G * drop, -share * G, share * G, terms);
+        }
     }
 }
 

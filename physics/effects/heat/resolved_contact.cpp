@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "physics/contact/contact_in_revolutions.hpp"
+#include "physics/contact/heated_road.hpp"
 #include "physics/contact/rolling_contact.hpp"
 #include "physics/contact/tread_effusivity.hpp"
 #include "physics/spread.hpp"
@@ -29,6 +30,7 @@ constexpr std::size_t with_road = most_effusivities;
 void place(const PlacementContext& context, ActiveEffect& active) {
     spread_over_patches(context, active, active.tables[profile]);
     place_effusivities(context, rolling_contact::effusivity_of_road(active), active);
+    place_heated_road(context, active);
 }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
@@ -51,10 +53,9 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     // Along a logged series both are averages: this is the road that the conductance saw.
     const double T_road = m.coefficients[with_road] / G[0];
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-        const int node = m.active.nodes[i];
-        const EffusivityInterpolation tread(m, node);
+        const EffusivityInterpolation tread(m, m.active.nodes[i]);
         const double weight = m.active.weights[i];
-        terms.exchange(node, tread.value(G) * weight, T_road, tread.slope(G) * weight);
+        exchange_with_road(m, i, tread.value(G) * weight, T_road, tread.slope(G) * weight, terms);
     }
 }
 

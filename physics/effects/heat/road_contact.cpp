@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "physics/contact/heated_road.hpp"
 #include "physics/spread.hpp"
 
 namespace tiretherm::physics::effects {
@@ -37,11 +38,20 @@ constexpr std::array<std::string_view, 1> patches{"outside"};
 
 void place(const PlacementContext& context, ActiveEffect& active) {
     spread_over_patches(context, active, active.tables[profile]);
+    place_heated_road(context, active);
 }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     out[0] = active[lambda_Hc] * active[Hc] * point.tire.contact_area(point.inputs);
     out[1] = out[0] * point.inputs.road_temperature;
+}
+
+void add_terms(const EvaluationState& m, Terms& terms) {
+    if (const double G = m.coefficients[0]; G > 0.0) {
+        for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
+            exchange_with_road(m, i, G * m.active.weights[i], m.coefficients[1] / G, 0.0, terms);
+        }
+    }
 }
 
 }  // namespace
@@ -72,7 +82,7 @@ const Effect road_contact{
             .field = FieldOf::pressure,
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,
-            .add_terms = exchange_by_weights,
+            .add_terms = add_terms,
         },
 };
 

@@ -12,6 +12,7 @@
 
 #include "physics/contact/contact_in_revolutions.hpp"
 #include "physics/contact/heat_of_sliding.hpp"
+#include "physics/contact/heated_road.hpp"
 #include "physics/contact/rolling_contact.hpp"
 #include "physics/contact/travelling.hpp"
 #include "physics/contact/tread_effusivity.hpp"
@@ -26,9 +27,9 @@ enum : std::size_t { partition, lambda_x, lambda_y, road_conductivity, road_capa
 enum : std::size_t { longitudinal, lateral, around, shared };
 enum : std::size_t { profile };
 enum : int { by_number, charm };
-/// Coefficients, a block for each effusivity: what the road takes back [W]; then the heat that stays, of each frame or of
-/// each sector.
-enum : std::size_t { taken_back, first_heat };
+/// Coefficients, a block for each effusivity: what the road takes back [W]; all that is made, where a drum takes what the
+/// tread does not [W]; then the heat that stays, of each frame or of each sector.
+enum : std::size_t { taken_back, made, first_heat };
 
 constexpr std::array parameters{
     ParameterSpec{"partition", "1", 0.6, 0.0, 1.0, "share of the friction power that enters the tire, or \"charm\""},
@@ -89,6 +90,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     if (active.road < 0 && active.choices[shared] == by_number) {
         active.effusivities.resize(1);  // nothing follows it
     }
+    place_heated_road(context, active);
 }
 
 SlidingHeat enters(const ActiveEffect& active) {
@@ -145,10 +147,15 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
             watts *= power;
         }
     }
+    // A law that takes the tread's share beyond 1 makes as much more.
+    const double all = active.share_of_drum > 0.0
+                           ? std::accumulate(heat.begin(), heat.end(), 0.0) * std::max(1.0, point.laws.partition)
+                           : 0.0;
     for (std::size_t e = active.effusivities.size(); e-- > 0;) {  // the first block holds the power until its turn
         const std::span<double> block = out.subspan(e * size, size);
         std::ranges::copy(heat, block.subspan(first_heat).begin());
         share_with_road(active, point, active.effusivities[e], block);
+        block[made] = all;
     }
 }
 
@@ -183,6 +190,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
             one *= m.active.groups.back() + 1;
         }
     }
+    const double share = m.active.share_of_drum;
     for (std::size_t k = 0; k < frames; ++k) {
         const std::vector<double>& weights =
             m.active.field && !by_sectors ? m.active.field->weights[k] : m.active.weights;
@@ -194,13 +202,21 @@ void add_terms(const EvaluationState& m, Terms& terms) {
                 continue;
             }
             const EffusivityInterpolation tread(m, node);
-            terms.heat(node, weights[i] * tread.value(heat), weights[i] * tread.slope(heat));
+            const double watts = weights[i] * tread.value(heat);
+            const double slope = weights[i] * tread.slope(heat);
+            terms.heat(node, (1.0 - share) * watts, (1.0 - share) * slope);
+            if (share > 0.0) {
+                take_from_drum(m, i, share * watts, share * slope, 0.0, terms);
+            }
             if (m.active.road >= 0) {  // booked as made here and taken there
                 std::array<double, most_effusivities> taken{};
                 std::ranges::transform(heat, ratio, taken.begin(), std::multiplies<>());
-                terms.rebook(static_cast<std::size_t>(m.active.road), -weights[i] * tread.value(taken));
+                terms.rebook(static_cast<std::size_t>(m.active.road), (share - 1.0) * weights[i] * tread.value(taken));
             }
         }
+    }
+    if (share > 0.0) {
+        terms.heat(drum_of(m), share * m.coefficients[made]);
     }
 }
 
@@ -223,7 +239,7 @@ EnteredHeat heat_of_sliding(const ActiveEffect& sliding, std::span<const double>
                                         {.value = effusivity, .slope = 0.0});
     double watts = 0.0;
     for (std::size_t i = 0; i < coefficients.size() / most_effusivities; ++i) {
-        watts += tread.value(effects::at_effusivities(coefficients, i));
+        watts += i == effects::made ? 0.0 : tread.value(effects::at_effusivities(coefficients, i));
     }
     return {.watts = watts, .enters = effects::enters(sliding)};
 }
@@ -269,7 +285,7 @@ const Effect sliding_friction{
     .patches = patches,
     .model =
         HeatEffect{
-            .n_coefficients = 2 * most_effusivities,
+            .n_coefficients = 3 * most_effusivities,
             .field = FieldOf::friction,
             .frame_coefficients = most_effusivities * (most_frames - 1),
             .place = place,

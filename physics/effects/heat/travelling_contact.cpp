@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/contact/heated_road.hpp"
 #include "physics/contact/rolling_contact.hpp"
 #include "physics/contact/travelling.hpp"
 #include "physics/contact/tread_effusivity.hpp"
@@ -42,6 +43,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     spread_over_patches(context, active, active.tables[profile]);
     active.groups = sectors_of(context.mesh, active.nodes);
     place_effusivities(context, rolling_contact::effusivity_of_road(active), active);
+    place_heated_road(context, active);
 }
 
 /// What follows the time since entry, integrated over the angle of a part of the contact in the root of the time, in which
@@ -89,7 +91,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
         if (G[0] > 0.0) {
             const EffusivityInterpolation tread(m, m.active.nodes[i]);
             const double weight = m.active.weights[i];
-            terms.exchange(m.active.nodes[i], tread.value(G) * weight, m.coefficients[road], tread.slope(G) * weight);
+            exchange_with_road(m, i, tread.value(G) * weight, m.coefficients[road], tread.slope(G) * weight, terms);
         }
     }
 }

@@ -75,5 +75,36 @@ TEST(Candidates, OfOneEffectStandBesideEachOtherOnlyAtPlacesOfTheirOwn) {
     EXPECT_FALSE(can_stand_beside(gas.front(), gas.back()));
 }
 
+TEST(Candidates, ADrumThatTheTireHeatsIsOneWhereItIsListedOrTheCaseRunsOnADrum) {
+    input::Experiment experiment = practice_bench();
+    const auto tries = [&](const std::vector<std::string>& chosen) {
+        const std::vector<std::string> all = names(experiment, chosen);
+        return std::ranges::count(all, "drum_heating") > 0;
+    };
+    EXPECT_FALSE(tries({}));
+    EXPECT_TRUE(tries({"drum_heating"}));
+    for (input::MeasuredRun& run : experiment.runs) {
+        const physics::Effect& curvature = *physics::find_effect("drum_curvature");
+        solver::switch_on(run.problem, physics::activate(curvature, run.problem.mesh), 0.0);
+    }
+    EXPECT_TRUE(tries({}));
+    // It starts with the road, not with the air.
+    const std::vector<Candidate> drum = candidates_of(experiment, {"drum_heating"});
+    const solver::Problem heated = with(experiment, drum, {1.0}).runs.front().problem;
+    const physics::Inputs first = heated.input_signals.at(heated.settings.start, solver::JumpSide::after);
+    ASSERT_NE(first.road_temperature, first.air_temperature);
+    EXPECT_EQ(heated.initial[static_cast<std::size_t>(heated.mesh.find_lumped_node("drum"))], first.road_temperature);
+}
+
+// A loss from a drum of 2 m: curvature 1/m is that of its law.
+TEST(Candidates, TheDrumOfTheLawIsWhereItsCurvatureIsAbsent) {
+    input::Experiment experiment = practice_bench();
+    EXPECT_EQ(candidates_of(experiment, {"drum_curvature"}).front().absent, 0.0);
+    for (input::MeasuredRun& run : experiment.runs) {
+        run.problem.tire.loss_drum_diameter = 2.0;
+    }
+    EXPECT_EQ(candidates_of(experiment, {"drum_curvature"}).front().absent, 1.0);
+}
+
 }  // namespace
 }  // namespace tiretherm::diagnosis::sample

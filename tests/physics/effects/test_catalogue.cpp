@@ -35,6 +35,7 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
                                                 "loss_frequency_shift",
                                                 "load_exponent_of_loss",
                                                 "drum_curvature",
+                                                "drum_heating",
                                                 "standing_wave",
                                                 "tread_wear",
                                                 "belt_anisotropy",

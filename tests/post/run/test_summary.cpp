@@ -196,6 +196,16 @@ TEST(Summary, JsonHasTheAgreedKeys) {
     EXPECT_FALSE(json.contains("error"));
 }
 
+TEST(Summary, HeatOfADrumIsToldWhereItCounts) {
+    MadeUpRun made_up;
+    made_up.problem.effects[2] = physics::activate(*physics::find_effect("drum_heating"), made_up.problem.mesh);
+    EXPECT_NE(made_up.text().find("drum_heating is what the drum loses to the air"), std::string::npos)
+        << made_up.text();
+    EXPECT_EQ(made_up.text().find("for a share of"), std::string::npos);
+    made_up.problem.effects[2].parameters[0] = 0.25;
+    EXPECT_NE(made_up.text().find("for a share of 0.25"), std::string::npos) << made_up.text();
+}
+
 TEST(Summary, TireIsComparedWithATwoNodeModelWhereThatHasAMeaning) {
     MadeUpRun made_up;
     made_up.problem.effects[2] = physics::activate(*physics::find_effect("air_convection"), made_up.problem.mesh);
