@@ -16,6 +16,7 @@
 #include "post/report/prediction_journal.hpp"
 #include "post/report/progress.hpp"
 #include "post/report/report.hpp"
+#include "post/report/stage_text.hpp"
 
 namespace CLI {
 class App;
@@ -72,17 +73,17 @@ private:
             begun_ = post::ProgressLine::wall_clock();
         }
         number_ = stage.number;
-        line_.show({.stage = {.doing = stage.doing,
+        line_.show({.stage = {.doing = post::text_of(stage),
                               .of = stage.of,
                               .number = stage.number,
-                              .count = stage.count,
+                              .count = stage.is_counted() ? stage.count : 0,
                               .elapsed = post::ProgressLine::wall_clock() - begun_},
                     .done = static_cast<std::size_t>(simulations),
                     .thing = "simulation"});
     }
 
     post::ProgressLine line_;
-    std::string doing_{};
+    diagnosis::Work doing_ = diagnosis::Work::none;
     std::size_t number_ = 0;
     double begun_ = 0.0;  ///< s of wall time, when this stage began
 };

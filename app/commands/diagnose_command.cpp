@@ -24,6 +24,7 @@
 #include "diagnosis/observations/thinning.hpp"
 #include "input/validation/validation.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
+#include "post/report/remark_text.hpp"
 #include "solver/sensitivity/kept_results.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -43,12 +44,11 @@ diagnosis::RunVerdicts diagnosed_by_run(const DiagnoseOptions& call, const input
     if (experiment.runs.size() < 2 || call.no_by_run) {
         return {};
     }
-    if (!all.stopped.empty() || solver::stop_requested()) {
-        return {.runs = {}, .left_out = "No run was diagnosed alone: it was stopped."};
+    if (all.stopped != diagnosis::Part::none || solver::stop_requested()) {
+        return {.runs = {}, .left_out = diagnosis::LeftOutRuns::stopped_before};
     }
     if (!call.by_run && all.seconds > diagnosis::longest_before_by_run) {
-        return {.runs = {},
-                .left_out = "No run was diagnosed alone, because all together took long; --by-run does it."};
+        return {.runs = {}, .left_out = diagnosis::LeftOutRuns::takes_long};
     }
     return diagnosis::diagnose_by_run(experiment, options);
 }
@@ -112,7 +112,7 @@ private:
             input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.finer = finer})
                 .experiment;
         if (read) {
-            std::vector<std::string> same;  // remarks that the case's own mesh has already
+            diagnosis::Remarks same;  // remarks that the case's own mesh has already
             read = diagnosis::in_rings(std::move(*read), same);
             take_values(thinned, *read);
         }
@@ -149,7 +149,7 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
         journal->keep_at_once();
     }
     const solver::UseOfKeptResults kept(*journal);
-    std::vector<std::string> remarks;
+    diagnosis::Remarks remarks;
     const diagnosis::Thinned thinned = diagnosis::thinned(diagnosis::in_rings(*reading->experiment, remarks));
     const input::Experiment& experiment = thinned.experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
@@ -172,13 +172,13 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
                                  .result = result,
                                  .case_file = call.case_file,
                                  .data = call.data_files(),
-                                 .warnings = remarks,
+                                 .warnings = post::texts_of(remarks),
                                  .findings = reading->data_warnings,
                                  .by_run = std::move(by_run),
                                  .with_page = !call.no_report,
                                  .inputs = reading->files};
     std::ranges::copy(reading->warnings, std::back_inserter(record.warnings));
-    std::ranges::copy(thinned.remarks, std::back_inserter(record.findings));
+    std::ranges::copy(post::texts_of(thinned.remarks), std::back_inserter(record.findings));
     const auto files = write_measured(call, *folder, names, [&](const std::filesystem::path& stage) {
         return post::write_diagnosis(record, stage, folder->path());
     });
@@ -187,7 +187,7 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
         return Exit::input_error;
     }
     print_page(call, post::diagnosis_report(record, *files));
-    const bool complete = result.stopped.empty() && !record.by_run.are_cut_short();
+    const bool complete = result.stopped == diagnosis::Part::none && !record.by_run.are_cut_short();
     if (const std::string rest = complete ? "" : kept_for_next_call(*folder, *journal); !rest.empty()) {
         std::fflush(stdout);
         fmt::print(stderr, "tiretherm: {}\n", rest);

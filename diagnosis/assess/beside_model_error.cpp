@@ -23,7 +23,8 @@ std::optional<PredictedModel> predicted_on(ScoreTestData& score_data, const Rich
                                            const Covariance& noise) {
     PredictedModel model;
     model.noise = noise;
-    model.words = richer.name;
+    model.base = BaseModel::other_mesh;
+    model.mesh = richer.name;
     model.hypothesis.model = *richer.experiment;
     Fit fit(model.hypothesis.model, *score_data.observations);
     fit.take_covariance(noise);
@@ -55,7 +56,7 @@ bool leaves_noise_alone(const ScoreTestData& score_data, const HeldOutErrors& ou
 }
 
 HeldOutErrors out_of(ScoreTestData& score_data, const input::Experiment& model, const Refit& fit) {
-    score_data.say({.doing = "predicting data that are left out"});
+    score_data.say({.doing = Work::left_out_data});
     HeldOutErrors found = held_out(model, *score_data.observations, score_data.noise, score_data.steps, fit);
     score_data.count(found.simulations);
     return found;
@@ -93,7 +94,7 @@ std::vector<std::size_t> by_score(const ScoreTestData& score_data, std::size_t m
 
 void search_beside_model_error(DiagnosisState& state, const std::vector<RicherModel>& richer) {
     ScoreTestData& score_data = state.score_data;
-    score_data.say({.doing = "predicting data that are left out"});
+    score_data.say({.doing = Work::left_out_data});
     state.search = choose_base(score_data);
     search_by_prediction(score_data, *state.search);
     PredictionSearch& search = *state.search;
@@ -102,7 +103,7 @@ void search_beside_model_error(DiagnosisState& state, const std::vector<RicherMo
     const Covariance even =
         search.white ? search.base.noise : white_equivalent(score_data.noise, score_data.observations->blocks);
     for (const RicherModel& one : richer) {
-        score_data.say({.doing = fmt::format("trying the mesh \"{}\"", one.name)});
+        score_data.say({.doing = Work::other_mesh, .of = one.name});
         const std::optional<PredictedModel> model = predicted_on(score_data, one, even);
         if (!model) {
             continue;
@@ -159,7 +160,7 @@ void accept_unknown_source(DiagnosisState& state) {
     if (std::abs(state.unknown.z) < score_data.unknown_threshold) {
         return;
     }
-    score_data.say({.doing = "testing an unknown heat source"});
+    score_data.say({.doing = Work::unknown_source});
     const auto k = static_cast<Eigen::Index>(state.unknown.term);
     state.unknown_fit = fit_unknown_source(score_data, state.unknown.term, score_data.unknown_scores.amplitude(k));
     if (state.unknown_fit.sound && unknown_source_beats(state, state.search->base.out)) {

@@ -28,19 +28,19 @@ constexpr double noticed = 0.3;
 constexpr double left_over = 0.25;
 constexpr double too_coarse = 3.0;
 
-/// What stands against a diagnosis before anything is simulated; empty: nothing.
-std::string too_little(const input::Experiment& experiment, const Observations& observations) {
-    std::vector<std::string> frozen;
-    for (const input::MeasuredRun& run : experiment.runs) {
-        for (const input::MeasuredSeries& series : run.series) {
-            if (series.frozen) {
-                frozen.push_back(fmt::format("{} of {}", run.problem.channels[series.channel].name, run.name));
-            }
-        }
-    }
+/// What stands against a diagnosis before anything is simulated, if anything does.
+std::optional<Remark> too_little(const input::Experiment& experiment, const Observations& observations) {
     const auto values = static_cast<long>(observations.rows.size());
     if (values == 0) {
-        return fmt::format("no sensor changes ({}).", fmt::join(frozen, ", "));
+        Remarks frozen;
+        for (const input::MeasuredRun& run : experiment.runs) {
+            for (const input::MeasuredSeries& series : run.series) {
+                if (series.frozen) {
+                    frozen.push_back(remark::sensor_of_run(run.problem.channels[series.channel].name, run.name));
+                }
+            }
+        }
+        return remark::no_sensor_changes(std::move(frozen));
     }
     // A stated number may stand against what was known of a parameter before. Where the noise is estimated from what is
     // left, there must be more values than free parameters, and each channel's noise takes one more.
@@ -49,14 +49,11 @@ std::string too_little(const input::Experiment& experiment, const Observations& 
     });
     const bool stated = observations.channels.empty();
     const auto free = stated ? static_cast<long>(without_prior) : static_cast<long>(experiment.parameters.size());
-    const auto numbers = free + static_cast<long>(observations.channels.size());
-    if (values <= numbers && !(stated && free == 0)) {
-        return fmt::format(
-            "{} values for {} free parameters and {} noises leave nothing to judge the model by. Longer runs, more "
-            "sensors or fewer free parameters would help.",
-            values, free, observations.channels.size());
+    const auto noises = static_cast<long>(observations.channels.size());
+    if (values <= free + noises && !(stated && free == 0)) {
+        return remark::too_few_values(values, free, noises);
     }
-    return "";
+    return std::nullopt;
 }
 
 /// The model at the values of its case, beside data that say no more.
@@ -90,11 +87,10 @@ std::vector<ParameterFinding> findings_of(const input::Experiment& experiment, c
 /// Searches causes and says what they are worth. Where the model has errors of its own, or what the likelihood named does not
 /// predict better, the search is by prediction.
 /// @param coarse the grid is too coarse for the likelihood to be asked
-void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosis& result, const char*& stage,
-                 bool coarse) {
+void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosis& result, Part& part, bool coarse) {
     result.remarks = untried(*state.score_data.experiment);
     const bool can_leave_out = !state.score_data.observations->channels.empty() && choice.measure_gain;
-    stage = "search of causes";
+    part = Part::causes;
     // The base is the experiment's own, whatever mesh is taken later.
     const input::Experiment& experiment = *state.score_data.experiment;
     const Refit base = state.score_data.base;
@@ -114,27 +110,27 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosi
     result.base = base.simulated;
     result.values = base.values;
     for (const ParameterFinding& finding : findings_of(experiment, base)) {
-        result.remarks.push_back("without any cause, " + finding.sentence);
+        result.remarks.push_back(remark::without_cause({finding.remark}));
     }
-    stage = "search of missing heat";
+    part = Part::missing_heat;
     estimate_missing_heat(state, result);
     if (can_leave_out) {
-        stage = "test of the gain on data that were left out";
+        part = Part::gain;
         measure_gain(state, result);
     }
     describe_model_error(state, result);
     if (choice.plan_next) {
-        stage = "plan of the next experiment";
-        state.score_data.say({.doing = "planning an experiment that would tell more"});
+        part = Part::next_experiment;
+        state.score_data.say({.doing = Work::next_experiment});
         plan_next(state, result);
     }
     result.simulations = state.score_data.simulations;
 }
 
 /// The best answer that there is when the work is stopped: nothing more is simulated.
-void finish_early(DiagnosisState& state, const char* stage, Diagnosis& result) {
+void finish_early(DiagnosisState& state, Part part, Diagnosis& result) {
     const ScoreTestData& score_data = state.score_data;
-    result.stopped = stage;
+    result.stopped = part;
     result.stopped_at = score_data.stage;
     result.rest_of_stage = score_data.rest_of_stage();
     if (result.base.size() > 0) {  // reported; what was not yet tested on data that were left out is not proven
@@ -146,25 +142,27 @@ void finish_early(DiagnosisState& state, const char* stage, Diagnosis& result) {
     take_what_was_found(state);
     report(state, result);
     result.base = score_data.base.simulated;
-    result.reason = "";
+    result.reason.reset();
     if (result.hypotheses.empty()) {
         result.verdict = Verdict::cannot_tell;
         std::string first;
         for (const std::size_t k : by_score(score_data, 3)) {
             first += (first.empty() ? "" : ", ") + name_of(score_data.candidates[k], *score_data.experiment);
         }
-        result.reason = first.empty() ? "" : fmt::format("Best so far, not fitted: {}.", first);
+        if (!first.empty()) {
+            result.reason = remark::best_so_far(first);
+        }
     } else {
         result.verdict = Verdict::partial;
     }
 }
 
-/// @param stage out: what is being done
+/// @param part out: what is being done
 void diagnose(const input::Experiment& experiment, const Observations& observations, const DiagnosisOptions& choice,
               DiagnosisState& state, Observations& corrected, const input::Experiment& fine, Diagnosis& result,
-              const char*& stage) {
+              Part& part) {
     result.reason = too_little(experiment, observations);
-    if (!result.reason.empty()) {
+    if (result.reason) {
         result = cannot_tell(std::move(result), experiment, observations);
         return;
     }
@@ -173,7 +171,7 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
     corrected = observations;
     bool is_coarse = false;
     if (result.status.ok() && !observations.channels.empty()) {
-        stage = "estimate of the grid's error";
+        part = Part::grid_error;
         const DiscretisationError error = estimate_discretisation_error(state.score_data, choice.finer);
         result.numerical_error_sigma = error.sigma;
         if (error.sigma > noticed) {
@@ -191,22 +189,18 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
         std::ranges::copy(choice.much_finer, std::back_inserter(finer.richer));
         const double sigma = result.numerical_error_sigma;
         result.numerical_error_sigma = 0.0;
-        find_causes(state, finer, result, stage, true);
+        find_causes(state, finer, result, part, true);
         if (!state.mesh.empty()) {
             return;
         }
         // No gain with the finer grid: the data do not show the error of the case's own, and it is kept.
-        const std::string remark = fmt::format(
-            "the grid's error is {:.1f} standard deviations, but {} gave no gain on data that were left out: the "
-            "case's grid is kept, and a cause may stand for its error",
-            sigma, choice.much_finer.front().name);
         if (state.search && state.search->accepted.empty() && !has_model_error(state.score_data)) {
             state.search.reset();
             state.set.clear();
             result = Diagnosis();
-            find_causes(state, choice, result, stage, false);
+            find_causes(state, choice, result, part, false);
         }
-        result.remarks.push_back(remark);
+        result.remarks.push_back(remark::grid_is_kept(sigma, choice.much_finer.front().name));
         result.numerical_error_sigma = sigma;
         if (result.verdict == Verdict::named || result.verdict == Verdict::confounded) {
             result.verdict = Verdict::partial;
@@ -221,7 +215,7 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
         result.simulations = state.score_data.simulations;
         result.verdict = Verdict::cannot_tell;
     } else if (result.status.ok()) {
-        find_causes(state, choice, result, stage, false);
+        find_causes(state, choice, result, part, false);
     }
 }
 
@@ -252,14 +246,14 @@ Diagnosis diagnose(const input::Experiment& experiment, const Observations& obse
     const input::Experiment fine = with_fine_steps(experiment);
     Observations corrected;
     DiagnosisState state;
-    const char* stage = "fit and the score tests of the candidates";
+    Part part = Part::score_tests;
     try {
-        diagnose(experiment, observations, choice, state, corrected, fine, result, stage);
+        diagnose(experiment, observations, choice, state, corrected, fine, result, part);
     } catch (const solver::Interrupted&) {
         if (state.score_data.threshold > 0.0) {
-            finish_early(state, stage, result);
+            finish_early(state, part, result);
         } else {
-            result.status = {solver::Outcome::stopped, fmt::format("stopped during the {}", stage)};
+            result.status = {solver::Outcome::stopped, "stopped during the fit and the score tests of the candidates"};
         }
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -14,8 +14,10 @@
 #include "diagnosis/detect/score_test_data.hpp"
 #include "diagnosis/noise/noise_estimate.hpp"
 #include "diagnosis/observations/observations.hpp"
+#include "diagnosis/remarks/remark.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/parameters/mesh_change.hpp"
+#include "physics/plausible_ranges.hpp"
 #include "solver/status.hpp"
 #include "solver/user_effect.hpp"
 
@@ -57,9 +59,10 @@ struct Cause {
     double gain = 0.0;         ///< log likelihood ratio over the model without it
     double probability = 0.0;  ///< among the single hypotheses, before the data all alike
     bool in_set = false;
-    int rank = 0;               ///< 1: the most likely
-    std::string bound{};        ///< what to say when a number ended at its bound
-    std::string implausible{};  ///< what to say when a number lies outside its plausible range
+    int rank = 0;           ///< 1: the most likely
+    bool at_bound = false;  ///< its number ended at its bound
+    const physics::PlausibleRange* implausible =
+        nullptr;  ///< the range that its number lies outside of; null: it does not
 
     /// Widens the interval of each number to what an error of the model leaves of it.
     /// @param half [n fitted numbers of the model] half widths
@@ -120,6 +123,9 @@ struct ChannelGain {
     double heldout_after = 0.0;
 };
 
+/// The model that an extension is measured against: the case as it stands, fitted, or on another mesh.
+enum class BaseModel : std::uint8_t { none, correlated_noise, white_noise, as_it_stands, other_mesh };
+
 /// The gain of the extension on data that took no part in naming or fitting.
 struct Gain {
     bool measured = false;           ///< there was something to hold out
@@ -132,7 +138,8 @@ struct Gain {
     double removed = 0.0;      ///< share of the mean square, noise included, mean over the channels
     double removed_low = 0.0;  ///< 95 %
     double removed_high = 0.0;
-    std::string over{};  ///< the model that it is measured against: "the case fitted with white noise"
+    BaseModel over = BaseModel::none;
+    std::string over_mesh{};
 };
 
 /// An experiment that would tell what these data do not.
@@ -172,7 +179,7 @@ struct Diagnosis {
     std::vector<std::vector<std::size_t>>
         hypotheses;  ///< the set: indices into causes, one or two each, the best first
     std::optional<UnknownSource> unknown;
-    std::string reason;
+    std::optional<Remark> reason;           ///< why these data do not allow a diagnosis, where one is known
     std::vector<NextExperiment> next;       ///< the most telling first
     std::vector<UpperLimit> limits;         ///< when nothing is found
     std::vector<MissingHeat> missing_heat;  ///< where and when, of the base model
@@ -183,10 +190,10 @@ struct Diagnosis {
     std::vector<ModelError> model_error;      ///< of channels that have one
     std::vector<FreeNumber> free_numbers;     ///< of the extended model, or of the base where there is none
     std::vector<HeldOutGain> held_out_gains;  ///< what was tested on data that were left out, the largest first
-    std::string stopped;                      ///< what was being done when time ran out; empty: it came to its end
+    Part stopped = Part::none;                ///< what was being done when time ran out; none: it came to its end
     Stage stopped_at{};                       ///< the piece of work at which it was stopped, where these are counted
     double rest_of_stage = 0.0;               ///< s, about what the stage would have taken still; NaN: not known
-    std::vector<std::string> remarks;
+    Remarks remarks;
     Eigen::VectorXd values;    ///< [n_parameters] of the base fit
     Eigen::VectorXd base;      ///< [n_rows] SI, simulated with the fitted base model
     Eigen::VectorXd extended;  ///< [n_rows] SI, with the best hypothesis; equal to base where there is none

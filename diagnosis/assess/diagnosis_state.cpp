@@ -8,9 +8,8 @@
 #include <cmath>
 #include <iterator>
 
-#include <fmt/format.h>
-
 #include "input/parameters/parameter_path.hpp"
+#include "input/text/word_lists.hpp"
 #include "physics/plausible_ranges.hpp"
 
 namespace tiretherm::diagnosis {
@@ -109,11 +108,10 @@ Cause describe_cause(const DiagnosisState& found, const FittedHypothesis& one, s
                       : (deviation[j] > 0.0 ? std::abs(one.fit.values[j] - candidate.absent) / deviation[j] : 0.0);
     cause.gain = one.gain;
     if (one.fit.at_bound[static_cast<std::size_t>(j)]) {
-        cause.bound = "at a bound; larger or smaller values were not tested";
+        cause.at_bound = true;
     } else if (const physics::PlausibleRange* range = physics::plausible_range(*candidate.effect, candidate.parameter);
                range != nullptr && !physics::is_plausible(*range, one.fit.values[j])) {
-        cause.implausible = fmt::format("implausible: {:.3g} to {:.3g} is what is known ({}); {}", range->low,
-                                        range->high, range->source, range->why);
+        cause.implausible = range;
     }
     return cause;
 }
@@ -215,10 +213,7 @@ void describe_search(const PredictionSearch& search, const DiagnosisState& found
         add(i, search.alternatives[i - 1].gain);
     }
     if (search.accepted.empty() && found.verdict == Verdict::cannot_tell) {
-        into.reason = fmt::format(
-            "the model has an error beyond the sensors' noise, and nothing that was tried predicts data that were left "
-            "out better beyond chance; the best removes {:.0f} % of the mean square.",
-            100.0 * search.largest_gain);
+        into.reason = remark::nothing_predicts_better(100.0 * search.largest_gain);
     }
 }
 
@@ -262,15 +257,13 @@ void report(const DiagnosisState& found, Diagnosis& into) {
         for (const std::size_t k : better->candidates) {
             names.emplace_back(found.score_data.candidates[k].effect->id);
         }
-        into.remarks.push_back(fmt::format(
-            "{} fits better only at a parameter bound or with a negligible component: excluded from the verdict",
-            fmt::join(names, " and ")));
+        into.remarks.push_back(remark::fits_at_bound_only(input::listed(names)));
     }
     if (found.search) {
         describe_search(*found.search, found, into);
     }
     if (found.something_left) {
-        into.remarks.emplace_back("something significant is left beside it: there is more than one thing missing");
+        into.remarks.push_back(remark::more_is_missing());
     }
     into.values = found.score_data.base.values;
     into.base = found.score_data.base.simulated;

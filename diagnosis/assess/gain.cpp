@@ -89,7 +89,8 @@ void measure_gain(DiagnosisState& found, Diagnosis& into) {
     if (predicted) {
         if (found.search) {
             both = {.before = found.search->base.out, .after = found.search->best().out};
-            into.gain.over = found.search->base.words;
+            into.gain.over = found.search->base.base;
+            into.gain.over_mesh = found.search->base.mesh;
         } else {
             both = predict_both(score_data, *best);
         }

@@ -141,7 +141,7 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const std::size_t k = chosen[i];
         const Candidate& candidate = score_data.candidates[k];
-        score_data.say({.doing = "candidate",
+        score_data.say({.doing = Work::candidate,
                         .of = name_of(candidate, *score_data.experiment),
                         .number = i + 1,
                         .count = chosen.size()});
@@ -150,9 +150,8 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
             continue;
         }
         if (!trial.hypothesis.admissible) {
-            const std::string remark = fmt::format(
-                "{} fits better only with {} = {:.3g}, at the end of its plausible range: excluded from the verdict",
-                name_of(candidate, *score_data.experiment), candidate.number().key,
+            const Remark remark = remark::fits_at_end_of_range(
+                name_of(candidate, *score_data.experiment), std::string(candidate.number().key),
                 trial.hypothesis.fit.values[trial.hypothesis.number_of(trial.hypothesis.candidates.size() - 1)]);
             if (std::ranges::find(search.remarks, remark) == search.remarks.end()) {
                 search.remarks.push_back(remark);
@@ -184,7 +183,7 @@ void look_back(ScoreTestData& score_data, PredictionSearch& search) {
         dropped = false;
         const PredictedModel now = search.best();
         for (std::size_t cause = 0; cause + 1 < now.hypothesis.candidates.size(); ++cause) {
-            score_data.say({.doing = "looking back"});
+            score_data.say({.doing = Work::looking_back});
             std::optional<PredictedModel> less = without(score_data, now, cause);
             if (!less) {
                 continue;
@@ -241,7 +240,7 @@ PredictionSearch choose_base(ScoreTestData& score_data) {
     slow.sound = true;
 
     PredictedModel correlated = predicted(score_data, slow, score_data.noise);
-    correlated.words = "the case fitted with correlated noise";
+    correlated.base = BaseModel::correlated_noise;
     const Covariance even = white_equivalent(score_data.noise, observations.blocks);
     std::optional<PredictedModel> white;
     const auto try_white = [&](const Covariance& noise) {
@@ -250,7 +249,7 @@ PredictionSearch choose_base(ScoreTestData& score_data) {
             return;
         }
         PredictedModel model = predicted(score_data, std::move(flat), noise);
-        model.words = "the case fitted with white noise";
+        model.base = BaseModel::white_noise;
         if (!white || (model.out.ok && log_error(model, observations) < log_error(*white, observations))) {
             white = std::move(model);
         }
@@ -262,7 +261,7 @@ PredictionSearch choose_base(ScoreTestData& score_data) {
     const Covariance its_noise = white ? white->noise : even;
     FittedHypothesis plain = as_it_stands(score_data, its_noise);
     PredictedModel stands = predicted(score_data, std::move(plain), its_noise, false);
-    stands.words = "the case as it stands";
+    stands.base = BaseModel::as_it_stands;
 
     const double of_correlated = log_error(correlated, observations);
     const double by_white = white && white->out.ok ? log_error(*white, observations) : 1e30;
@@ -292,7 +291,7 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
         for (std::size_t i = 0; i < trials.size(); ++i) {
             Trial& trial = trials[i];
             const Candidate& added = score_data.candidates[trial.hypothesis.candidates.back()];
-            score_data.say({.doing = "prediction",
+            score_data.say({.doing = Work::prediction,
                             .of = name_of(added, *score_data.experiment),
                             .number = i + 1,
                             .count = trials.size()});

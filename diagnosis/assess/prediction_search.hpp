@@ -15,8 +15,9 @@ namespace tiretherm::diagnosis {
 struct PredictedModel {
     FittedHypothesis hypothesis{};
     HeldOutErrors out{};
-    Covariance noise{};   ///< by which it was fitted
-    std::string words{};  ///< of a base: "the case as it stands"
+    Covariance noise{};  ///< by which it was fitted
+    BaseModel base = BaseModel::none;
+    std::string mesh{};  ///< of a base on another mesh
 };
 
 /// A cause, or several, that predict better than what they were added to.
@@ -33,7 +34,7 @@ struct PredictionSearch {
     std::vector<Improvement> alternatives;  ///< that do as well as the first accepted one, as far as these data tell
     PredictionGain gain{};                  ///< of the last accepted over the base
     std::string mesh;                       ///< of the richer model that was accepted; empty: none
-    std::vector<std::string> remarks;       ///< sizes nobody would believe, channels that get worse
+    Remarks remarks;                        ///< sizes nobody would believe, channels that get worse
     double largest_gain = 0.0;              ///< of what was not accepted: share removed
 
     [[nodiscard]] const PredictedModel& best() const { return accepted.empty() ? base : accepted.back().model; }

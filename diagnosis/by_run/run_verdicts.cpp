@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::diagnosis {
@@ -20,7 +18,7 @@ RunVerdict verdict_of(const std::string& name, Diagnosis result) {
                        .verdict = result.verdict,
                        .unknown = std::move(result.unknown),
                        .gain = std::move(result.gain),
-                       .stopped = std::move(result.stopped)};
+                       .stopped = result.stopped};
     for (const std::vector<std::size_t>& hypothesis : result.hypotheses) {
         std::vector<Cause>& causes = verdict.hypotheses.emplace_back();
         for (const std::size_t cause : hypothesis) {
@@ -34,9 +32,9 @@ RunVerdict verdict_of(const std::string& name, Diagnosis result) {
 
 bool RunVerdicts::are_cut_short() const {
     const auto is_stopped = [](const RunVerdict& run) {
-        return !run.stopped.empty() || run.status.outcome == solver::Outcome::stopped;
+        return run.stopped != Part::none || run.status.outcome == solver::Outcome::stopped;
     };
-    return (!runs.empty() && !left_out.empty()) || std::ranges::any_of(runs, is_stopped);
+    return (!runs.empty() && left_out != LeftOutRuns::none) || std::ranges::any_of(runs, is_stopped);
 }
 
 input::Experiment single_run(const input::Experiment& experiment, std::size_t run) {
@@ -68,7 +66,7 @@ RunVerdicts diagnose_by_run(const input::Experiment& experiment, const Diagnosis
     RunVerdicts verdicts;
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         if (solver::stop_requested()) {
-            verdicts.left_out = fmt::format("Stopped after {} of {} runs.", r, experiment.runs.size());
+            verdicts.left_out = LeftOutRuns::stopped_after;
             break;
         }
         const std::string& name = experiment.runs[r].name;
@@ -88,7 +86,7 @@ RunVerdicts diagnose_by_run(const input::Experiment& experiment, const Diagnosis
         if (choice.progress) {
             options.progress = [&](const Stage& stage, long simulations) {
                 Stage of_run = stage;
-                of_run.doing = fmt::format("{} alone: {}", name, stage.doing);
+                of_run.run = name;
                 choice.progress(of_run, simulations);
             };
         }

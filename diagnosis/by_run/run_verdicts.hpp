@@ -2,6 +2,7 @@
 // Each run of a diagnosis diagnosed alone: what only some of the runs show is a fault of those runs, not of the model.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,17 +18,27 @@ struct RunVerdict {
     Verdict verdict = Verdict::cannot_tell;
     std::vector<std::vector<Cause>> hypotheses{};  ///< the set, the best first
     std::optional<UnknownSource> unknown{};
-    Gain gain{};            ///< on blocks of the run
-    std::string stopped{};  ///< what was being done when time ran out; empty: it came to its end
+    Gain gain{};                ///< on blocks of the run
+    Part stopped = Part::none;  ///< what was being done when time ran out; none: it came to its end
 
     /// Whether it can be compared with other runs.
-    [[nodiscard]] bool is_judged() const { return status.ok() && stopped.empty() && verdict != Verdict::cannot_tell; }
+    [[nodiscard]] bool is_judged() const {
+        return status.ok() && stopped == Part::none && verdict != Verdict::cannot_tell;
+    }
 };
 
 /// The verdicts of all runs, in their order.
+/// Why runs were left out of a diagnosis of each alone.
+enum class LeftOutRuns : std::uint8_t {
+    none,            ///< all are there
+    stopped_before,  ///< an end was asked for before the first
+    takes_long,      ///< all together took long, and nobody asked for it
+    stopped_after    ///< those that are there were through when an end was asked for
+};
+
 struct RunVerdicts {
     std::vector<RunVerdict> runs;  ///< empty where they were left out
-    std::string left_out{};        ///< why runs were left out, a sentence; empty: all are there
+    LeftOutRuns left_out = LeftOutRuns::none;
 
     /// Whether an end was asked for before all runs were through.
     [[nodiscard]] bool are_cut_short() const;

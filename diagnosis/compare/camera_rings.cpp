@@ -213,7 +213,7 @@ void add_series(const input::MeasuredFrames& frames, const solver::Problem& befo
 
 }  // namespace
 
-input::Experiment in_rings(input::Experiment experiment, std::vector<std::string>& remarks) {
+input::Experiment in_rings(input::Experiment experiment, Remarks& remarks) {
     std::vector<Seen> cameras = cameras_of(experiment);
     if (cameras.empty()) {
         return experiment;
@@ -223,12 +223,9 @@ input::Experiment in_rings(input::Experiment experiment, std::vector<std::string
     for (Seen& camera : cameras) {
         camera.new_channel = next;
         next += camera.rings;
-        remarks.push_back(fmt::format(
-            "{}: its images are taken as the means of {} rings about the spot, each {:.1f} mm wide, where the case "
-            "says that they lie; identify takes every pixel and fits where they lie. The rings' noise counts as "
-            "independent: a drift that they share makes sigmas up to {:.1f} times too large",
-            camera.name, camera.rings, 1e3 * camera.farthest / fitted_rings,
-            std::sqrt(static_cast<double>(fitted_rings))));
+        remarks.push_back(remark::images_as_rings(camera.name, static_cast<long>(camera.rings),
+                                                  1e3 * camera.farthest / fitted_rings,
+                                                  std::sqrt(static_cast<double>(fitted_rings))));
     }
     std::vector<std::size_t> poses;
     for (input::MeasuredRun& run : experiment.runs) {

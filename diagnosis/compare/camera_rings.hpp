@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/remarks/remark.hpp"
 #include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
@@ -15,6 +16,6 @@ namespace tiretherm::diagnosis {
 /// against every row; a specimen that is round about its spot shows nothing in an image that its rings do not show.
 /// What the pose's numbers are is not asked any more.
 /// @param remarks out, what was made of each camera, a sentence each
-[[nodiscard]] input::Experiment in_rings(input::Experiment experiment, std::vector<std::string>& remarks);
+[[nodiscard]] input::Experiment in_rings(input::Experiment experiment, Remarks& remarks);
 
 }  // namespace tiretherm::diagnosis

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
 
 #include "input/measurements/experiment.hpp"
 
@@ -25,12 +24,8 @@ enum class Phase : std::uint8_t {
 inline constexpr std::array phases{Phase::standing,  Phase::slipping, Phase::slowing, Phase::free_rolling,
                                    Phase::cornering, Phase::braking,  Phase::driving, Phase::straight};
 
-[[nodiscard]] std::string_view name_of(Phase phase);
 /// Whether a run is that of a tire of a car whose load and lateral force are known.
 [[nodiscard]] bool has_forces(const input::MeasuredRun& run);
-/// "speed below 0.1 m/s"
-[[nodiscard]] std::string_view meaning_of(Phase phase);
-
 /// @param time s, within the run  @param now the inputs there  @param of_car by the forces of the tire: on a track its slip is never below that of `slipping`
 [[nodiscard]] Phase phase_at(const solver::Problem& problem, double time, const physics::Inputs& now, bool of_car);
 

@@ -280,32 +280,32 @@ void add_numbers(std::vector<Candidate>& all, const input::Experiment& experimen
 }
 
 /// Why an effect that is listed gives no candidate.
-std::string why_untried(const input::Experiment& experiment, const Effect& effect) {
+Remark why_untried(const input::Experiment& experiment, const Effect& effect) {
     const solver::Problem& problem = experiment.runs.front().problem;
     if (effect.sensor_model() != nullptr) {
-        return effect.sensor_model()->sees_surfaces_only ? "no measured sensor sees nothing but a surface"
-                                                         : "no measured sensor is of its kind";
+        return effect.sensor_model()->sees_surfaces_only ? remark::no_sensor_of_surfaces()
+                                                         : remark::no_sensor_of_its_kind();
     }
     if (is_on(problem, effect)) {
-        return "it is on, and its parameters are free or differ from place to place";
+        return remark::is_on_already();
     }
     if (effect.needs_grid && problem.mesh.is_lumped()) {
-        return "it needs a grid, and the mesh is of lumps";
+        return remark::needs_grid();
     }
     for (const std::string_view signal : effect.reads) {
         for (const input::MeasuredRun& run : experiment.runs) {
             if (!run.problem.input_signals.gives(*physics::find_signal(signal))) {
-                return fmt::format("it needs {}, which {} does not give", signal, run.name);
+                return remark::needs_signal(std::string(signal), run.name);
             }
         }
     }
-    return "the mesh, the tire or the runs have nothing that it acts on";
+    return remark::nothing_to_act_on();
 }
 
 }  // namespace
 
-std::vector<std::string> untried(const input::Experiment& experiment) {
-    std::vector<std::string> said;
+Remarks untried(const input::Experiment& experiment) {
+    Remarks all;
     const std::vector<Candidate> candidates = candidates_of(experiment, experiment.candidates);
     for (const std::string& name : experiment.candidates) {
         const std::optional<input::CatalogueEntry> entry = input::find_in_catalogue(name);
@@ -313,11 +313,11 @@ std::vector<std::string> untried(const input::Experiment& experiment) {
             return entry && entry->includes(*candidate.effect, candidate.parameter);
         });
         if (!tried) {
-            said.push_back(fmt::format("{} is listed in [diagnose] candidates and was not tried: {}", name,
-                                       entry ? why_untried(experiment, *entry->effect) : "there is no such effect"));
+            all.push_back(
+                remark::not_tried(name, {entry ? why_untried(experiment, *entry->effect) : remark::no_such_effect()}));
         }
     }
-    return said;
+    return all;
 }
 
 std::vector<Candidate> candidates_of(const input::Experiment& experiment, const std::vector<std::string>& chosen) {

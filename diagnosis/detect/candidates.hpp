@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "diagnosis/remarks/remark.hpp"
 #include "input/measurements/experiment.hpp"
 #include "physics/effect.hpp"
 
@@ -53,7 +54,7 @@ struct Candidate {
 [[nodiscard]] bool can_stand_beside(const Candidate& one, const Candidate& other);
 
 /// What is said of effects that the case lists and that cannot act on it, or that no sensor sees: a sentence each.
-[[nodiscard]] std::vector<std::string> untried(const input::Experiment& experiment);
+[[nodiscard]] Remarks untried(const input::Experiment& experiment);
 
 /// Where a candidate's number is expected to lie, within what the effect allows (physics::plausible_range). @returns low, high
 [[nodiscard]] std::pair<double, double> plausible_bounds(const Candidate& candidate);

@@ -88,7 +88,7 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
         if (candidate.by_slope()) {
             continue;
         }
-        score_data.say({.doing = "signature",
+        score_data.say({.doing = Work::signature,
                         .of = name_of(candidate, *score_data.experiment),
                         .number = ++simulated_alone,
                         .count = score_data.candidates.size() - by_slope});
@@ -209,7 +209,7 @@ ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Obs
                                   std::vector<Candidate> candidates, Progress progress) {
     ScoreTestData score_data;
     score_data.progress = std::move(progress);
-    score_data.say({.doing = "fitting the case as it is"});
+    score_data.say({.doing = Work::fitting_case});
     score_data.experiment = &experiment;
     score_data.observations = &observations;
     Fit fit(experiment, observations);
@@ -233,17 +233,17 @@ ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Obs
         score_data.sign[static_cast<Eigen::Index>(k)] =
             candidate.absent == candidate.low ? 1 : (candidate.absent == candidate.high ? -1 : 0);
     }
-    score_data.say({.doing = fmt::format("signatures of {} candidates", score_data.candidates.size())});
+    score_data.say({.doing = Work::signatures, .count = score_data.candidates.size()});
     const input::Experiment still = frozen(score_data, fit.simulator(), score_data.base.values);
     take_signatures(still, fit.now().simulated, score_data);
-    score_data.say({.doing = "responses to unknown heat"});
+    score_data.say({.doing = Work::unknown_heat});
     std::vector<solver::Problem> problems;
     for (const input::MeasuredRun& run : still.runs) {
         problems.push_back(run.problem);
     }
     score_data.unknowns = candidate_sources_of(experiment, observations, problems, score_data.steps, windows);
     score_data.count(fit.simulator().simulations());
-    score_data.say({.doing = "estimating the noise"});
+    score_data.say({.doing = Work::noise});
     settle(score_data);
     return score_data;
 }

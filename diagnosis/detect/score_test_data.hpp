@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,19 +14,9 @@
 #include "diagnosis/detect/candidates.hpp"
 #include "diagnosis/detect/scores.hpp"
 #include "diagnosis/fit/refit.hpp"
+#include "diagnosis/remarks/stage.hpp"
 
 namespace tiretherm::diagnosis {
-
-/// What is being done: `candidate 7 of 23: sidewall_convection`.
-struct Stage {
-    std::string doing{};     ///< "candidate"
-    std::string of{};        ///< "sidewall_convection"; empty where there is nothing to name
-    std::size_t number = 0;  ///< of `count` equal pieces of work, from 1
-    std::size_t count = 0;   ///< 0: it is one piece, as long as it takes
-};
-
-/// Progress: the stage, and how many runs were simulated so far.
-using Progress = std::function<void(const Stage& stage, long simulations)>;
 
 /// Score tests of a fitted model against measured data: the noise, and the signature of every effect that may be
 /// missing.

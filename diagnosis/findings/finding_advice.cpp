@@ -3,12 +3,15 @@
 #include "diagnosis/findings/finding_advice.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "diagnosis/findings/sensor_kind.hpp"
+#include "input/text/word_lists.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -40,57 +43,56 @@ std::vector<std::string> infrared_sensors(const input::Experiment& experiment) {
     return names;
 }
 
-/// Of less heat of sliding than expected: a slow infrared sensor flattens what sliding makes. Empty where that was ruled out.
-std::string slow_sensor(const input::Experiment& experiment) {
+/// Of less heat of sliding than expected: a slow infrared sensor flattens what sliding makes. Nothing where that was ruled out.
+std::optional<Remark> slow_sensor(const input::Experiment& experiment) {
     const std::vector<std::string> sensors = infrared_sensors(experiment);
-    const bool has_lag = is_free(experiment, "sensor_lag");
-    const bool has_delay = is_free(experiment, "clock_delay");
-    if (sensors.empty() || (has_lag && has_delay)) {
-        return "";
+    std::vector<std::string> to_free;
+    for (const auto& [effect, number] : {std::pair("sensor_lag", "tau"), std::pair("clock_delay", "delay")}) {
+        if (!is_free(experiment, effect)) {
+            to_free.push_back(fmt::format("{}.{}", effect, number));
+        }
     }
-    return fmt::format("a lag or delay of {} can do this, as it flattens what sliding makes: free {}{}{}",
-                       sensors.size() == 1 ? sensors.front() : fmt::format("the {} infrared sensors", sensors.size()),
-                       has_lag ? "" : "sensor_lag.tau", has_lag || has_delay ? "" : " and ",
-                       has_delay ? "" : "clock_delay.delay");
+    if (sensors.empty() || to_free.empty()) {
+        return std::nullopt;
+    }
+    const std::string numbers = input::listed(to_free);
+    return sensors.size() == 1 ? remark::slow_sensor(sensors.front(), numbers)
+                               : remark::slow_sensors(static_cast<long>(sensors.size()), numbers);
 }
 
 /// What the effect's own file says of a fit on that side of expectation.
-std::string advice_on_effect(const input::Experiment& experiment, const FreeParameter& parameter, bool is_above) {
+std::optional<Remark> advice_on_effect(const input::Experiment& experiment, const FreeParameter& parameter,
+                                       bool is_above) {
     const physics::Effect& effect = *experiment.runs.front().problem.effects[parameter.effect].effect;
     const physics::PlausibleRange* range = physics::plausible_range(effect, parameter.parameter);
     if (range == nullptr) {
-        return "";
+        return std::nullopt;
     }
     if (effect.id == "sliding_friction" && !is_above) {
-        if (std::string known = slow_sensor(experiment); !known.empty()) {
+        if (std::optional<Remark> known = slow_sensor(experiment)) {
             return known;
         }
     }
-    return std::string(is_above ? range->advice_above : range->advice_below);
+    const std::string known(is_above ? range->advice_above : range->advice_below);
+    return known.empty() ? std::nullopt : std::optional(remark::known_reason(known));
 }
 
 }  // namespace
 
-std::string advice(const input::Experiment& experiment, const FreeParameter& parameter, bool is_above,
-                   const physics::PlausibleRange* range) {
+Remark advice(const input::Experiment& experiment, const FreeParameter& parameter, bool is_above,
+              const physics::PlausibleRange* range) {
     if (parameter.kind == FreeParameter::Kind::initial) {
-        return "the run began earlier than the log, or the sensors were not at the tire's temperature: start the log "
-               "before the tire rolls, or state the start by the first readings";
+        return remark::start_is_unlike_log();
     }
     if (parameter.kind == FreeParameter::Kind::input) {
-        return "it may compensate for another value of [vehicle] or for an error of the tire model: weigh or measure "
-               "it, log wheel loads or slips, or run diagnose";
+        return remark::compensates_for_car();
     }
     if (parameter.kind == FreeParameter::Kind::effect) {
-        if (std::string known = advice_on_effect(experiment, parameter, is_above); !known.empty()) {
-            return known;
+        if (std::optional<Remark> known = advice_on_effect(experiment, parameter, is_above)) {
+            return *known;
         }
     }
-    if (range != nullptr) {
-        return std::string(range->why);
-    }
-    return "the prior is too narrow, or the parameter stands in for an effect that the model lacks: check where the "
-           "prior comes from, then run diagnose";
+    return range != nullptr ? remark::known_reason(std::string(range->why)) : remark::prior_is_too_narrow();
 }
 
 }  // namespace tiretherm::diagnosis

@@ -2,8 +2,7 @@
 // What an unexpected value of a fitted parameter means, and what to do about it.
 #pragma once
 
-#include <string>
-
+#include "diagnosis/remarks/remark.hpp"
 #include "input/measurements/experiment.hpp"
 #include "physics/plausible_ranges.hpp"
 
@@ -11,7 +10,7 @@ namespace tiretherm::diagnosis {
 
 /// Specific where the usual reason is known, otherwise what the plausible range says, otherwise the next step.
 /// @param is_above above what was expected, or below  @param range of the parameter, or null
-[[nodiscard]] std::string advice(const input::Experiment& experiment, const solver::FreeParameter& parameter,
-                                 bool is_above, const physics::PlausibleRange* range);
+[[nodiscard]] Remark advice(const input::Experiment& experiment, const solver::FreeParameter& parameter, bool is_above,
+                            const physics::PlausibleRange* range);
 
 }  // namespace tiretherm::diagnosis

@@ -20,27 +20,21 @@ using solver::FreeParameter;
 constexpr double least = 2.5;
 constexpr double chance_of_any = 0.05;
 
-std::string with_unit(const FreeParameter& parameter, double value) {
-    return parameter.unit == "1" ? fmt::format("{:.3g}", value) : fmt::format("{:.3g} {}", value, parameter.unit);
-}
-
-/// What is the matter with a parameter, each part of the sentence by itself.
-std::vector<std::string> observations_of(const FreeParameter& parameter, const FittedParameter& fitted,
-                                         double least_conflict, const physics::PlausibleRange* range) {
-    std::vector<std::string> parts;
+/// What is the matter with a parameter.
+Remarks observations_of(const FreeParameter& parameter, const FittedParameter& fitted, double least_conflict,
+                        const physics::PlausibleRange* range) {
+    Remarks parts;
     if (fitted.at_bound) {
-        parts.emplace_back("the bound of what is allowed");
+        parts.push_back(remark::at_bound_of_allowed());
     }
     if (const double conflict = conflict_with_prior(parameter, fitted); std::abs(conflict) > least_conflict) {
-        parts.push_back(fmt::format("{:.1f} standard deviations {} the {:.3g} +- {:.2g} that were known before",
-                                    std::abs(conflict), conflict > 0.0 ? "above" : "below", parameter.prior,
-                                    parameter.standard_deviation));
+        parts.push_back((conflict > 0.0 ? remark::above_prior : remark::below_prior)(
+            std::abs(conflict), parameter.prior, parameter.standard_deviation));
     }
     if (range != nullptr) {
         const double beyond = std::max(range->low - fitted.value, fitted.value - range->high);
         if (beyond > 0.0 && beyond > fitted.standard_deviation) {
-            parts.push_back(fmt::format("outside {:.3g} to {:.3g}, where it is expected ({})", range->low, range->high,
-                                        range->source));
+            parts.push_back(remark::outside_expected(range->low, range->high, std::string(range->source)));
         }
     }
     return parts;
@@ -115,13 +109,12 @@ std::vector<ParameterFinding> parameter_findings(const input::Experiment& experi
             continue;
         }
         const physics::PlausibleRange* range = plausible_range_of(problem, parameter, before[j]);
-        const std::vector<std::string> parts = observations_of(parameter, fitted[j], limit, range);
-        if (!parts.empty()) {
+        if (Remarks parts = observations_of(parameter, fitted[j], limit, range); !parts.empty()) {
             const bool is_above =
                 fitted[j].value > (std::isfinite(parameter.standard_deviation) ? parameter.prior : before[j]);
-            found.push_back({j, fmt::format("{}: the data pull it to {}, {}: {}", parameter.name,
-                                            with_unit(parameter, fitted[j].value), fmt::join(parts, " and "),
-                                            advice(experiment, parameter, is_above, range))});
+            found.push_back({j, remark::parameter_is_unexpected(
+                                    parameter.name, fitted[j].value, parameter.unit == "1" ? "" : " " + parameter.unit,
+                                    std::move(parts), {advice(experiment, parameter, is_above, range)})});
         }
     }
     return found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What fitted parameters say about the model, in words: far off what was known before, at a bound, or at a size that no
+// What fitted parameters say about the model: far off what was known before, at a bound, or at a size that no
 // tire engineer expects.
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/remarks/remark.hpp"
 #include "input/measurements/experiment.hpp"
 #include "physics/plausible_ranges.hpp"
 
@@ -38,7 +39,7 @@ struct FittedParameter {
 /// A parameter that is not as expected.
 struct ParameterFinding {
     std::size_t parameter = 0;  ///< index into Experiment::parameters
-    std::string sentence;       ///< what is the matter, what it means and what to do
+    Remark remark;              ///< what is the matter, what it means and what to do
 };
 
 /// One for each parameter that is not as expected. A value beyond its plausible range counts when it is so by more than its

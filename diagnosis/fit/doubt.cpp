@@ -48,10 +48,7 @@ void widen_doubtful(const std::vector<solver::FreeParameter>& parameters, Identi
     if (const double off = into.numbers_off(); off > far_above_data_sheet) {
         is_in_doubt = true;
         into.widened = std::max(into.widened, off);
-        into.findings.push_back(
-            fmt::format("the single measured numbers are off by {:.1f} of their standard uncertainties (rms): the "
-                        "model does not describe them, and no parameter is determined; run diagnose",
-                        off));
+        into.findings.push_back(remark::numbers_are_missed(off));
     }
     if (!is_in_doubt) {
         return;
@@ -103,10 +100,7 @@ void doubt_input_numbers(const std::vector<solver::FreeParameter>& parameters, I
         }
     }
     if (!names.empty()) {
-        into.findings.push_back(fmt::format(
-            "{}: temperatures tell a number of the car only as well as its model knows the slips of the tires. The "
-            "interval does not hold the errors of that model; it has missed the mass of a car that was known",
-            input::listed(names)));
+        into.findings.push_back(remark::number_of_car(input::listed(names)));
     }
 }
 

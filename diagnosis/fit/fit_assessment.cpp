@@ -62,46 +62,34 @@ bool is_given_up(const ChannelFit& fit) {
     return fit.rmse_after > worse * fit.rmse_before && fit.rmse_after > fit.stated;
 }
 
-/// What is to be said where a fit takes an error of the model for noise; empty where it has not.
-std::string given_up_sentence(const ChannelFit& fit, const solver::Channel& channel) {
+/// What is to be said where a fit takes an error of the model for noise; nothing where it has not.
+std::optional<Remark> remark_on(const ChannelFit& fit, const solver::Channel& channel) {
     const double stated = fit.stated;
+    const std::string unit(solver::unit_of(channel.quantity));
     if (fit.is_missed() && fit.noise.sigma <= far_above_data_sheet * stated) {
-        return fmt::format(
-            "{}: after the fit it is {:.2g} {} rms off, {:.1f} times the sensor's {:.2g} {}: the model does not "
-            "describe it, and no parameter is determined; see compare and diagnose",
-            fit.name, fit.rmse_after, solver::unit_of(channel.quantity), fit.rmse_after / stated, stated,
-            solver::unit_of(channel.quantity));
+        return remark::channel_is_missed(fit.name, fit.rmse_after, unit, fit.rmse_after / stated, stated);
     }
     if (is_given_up(fit)) {
-        return fmt::format(
-            "{}: its rms rose with the fit, from {:.2g} to {:.2g} {}: a missing effect passes for slow noise, and the "
-            "values and intervals are not to be trusted; see compare, and fit with noise = \"white\" beside it",
-            fit.name, fit.rmse_before, fit.rmse_after, solver::unit_of(channel.quantity));
+        return remark::rms_rose(fit.name, fit.rmse_before, fit.rmse_after, unit);
     }
     if (fit.noise.white_share < 1.0 && stated > 0.0 && fit.samples > many && fit.noise.sigma > swollen * stated &&
         fit.noise.sigma <= far_above_data_sheet * stated) {  // beyond that `cautions` says it
-        return fmt::format(
-            "{}: its noise is {:.1f} times what the sensor is said to have: part of it may be a missing effect",
-            fit.name, fit.noise.sigma / stated);
+        return remark::noise_above_stated(fit.name, fit.noise.sigma / stated);
     }
-    return "";
+    return std::nullopt;
 }
 
 /// What is to be said of the noise of one band of a camera's frames.
 /// @param finest the finest band of the same camera; null: this one
-std::vector<std::string> cautions_of_band(const ChannelFit& band, const ChannelFit* finest) {
+Remarks cautions_of_band(const ChannelFit& band, const ChannelFit* finest) {
     if (finest == nullptr) {
         return band.stated > 0.0 && band.noise.sigma > swollen * band.stated
-                   ? std::vector{fmt::format("{}: the noise of {:.3g} K is {:.1f} times what the data sheet says",
-                                             band.name, band.noise.sigma, band.noise.sigma / band.stated)}
-                   : std::vector<std::string>{};
+                   ? Remarks{remark::band_above_data_sheet(band.name, band.noise.sigma, band.noise.sigma / band.stated)}
+                   : Remarks{};
     }
-    if (band.noise.sigma <= swollen * finest->noise.sigma) {
-        return {};
-    }
-    return {fmt::format(
-        "{}: {:.1f} times what the pixels' own noise makes of it: a drift that they share, or a missing effect",
-        band.name, band.noise.sigma / finest->noise.sigma)};
+    return band.noise.sigma > swollen * finest->noise.sigma
+               ? Remarks{remark::band_above_pixels(band.name, band.noise.sigma / finest->noise.sigma)}
+               : Remarks{};
 }
 
 }  // namespace
@@ -179,8 +167,8 @@ void assess_channels(const Fit& fit, Identification& into) {
         } else {
             found.cautions = cautions(found.name, std::string(solver::unit_of(channel.quantity)), found.noise,
                                       found.found, found.stated, {});
-            if (std::string caution = given_up_sentence(found, channel); !caution.empty()) {
-                found.cautions.push_back(std::move(caution));
+            if (std::optional<Remark> caution = remark_on(found, channel)) {
+                found.cautions.push_back(std::move(*caution));
             }
             found.is_in_doubt =
                 is_in_doubt(found.noise, found.found, found.stated) || is_given_up(found) || found.is_missed();

@@ -257,22 +257,17 @@ void identify(const input::Experiment& experiment, const Observations& observati
     }
     for (ParameterFinding& one : findings_of(experiment, result)) {
         doubt_beside(experiment.parameters[one.parameter], result);
-        result.findings.push_back(std::move(one.sentence));
+        result.findings.push_back(std::move(one.remark));
     }
     for (const NamedFold& one : choice.leave_out) {
         const auto left = std::ranges::find(result.left_out, one.name, &LeftOut::name);
         if (left == result.left_out.end() || left->channels.empty()) {
-            result.findings.push_back(
-                fmt::format("{} could not be left out: the model fails with a fit to the rest", one.name));
+            result.findings.push_back(remark::not_left_out(one.name));
         }
     }
     if (result.white_noise_gain > 0.0) {
-        result.findings.insert(
-            result.findings.begin(),
-            fmt::format("data that were left out are predicted better, by {:.0f} % of the rms, when the fit takes the "
-                        "noise as white: the slow noise was an error of the model. The fit with white noise is shown; "
-                        "diagnose says what the model lacks.",
-                        100.0 * (1.0 - std::exp(-result.white_noise_gain))));
+        result.findings.insert(result.findings.begin(),
+                               remark::white_noise_predicts_better(100.0 * (1.0 - std::exp(-result.white_noise_gain))));
     }
     widen_doubtful(experiment.parameters, result);
     doubt_input_numbers(experiment.parameters, result);

@@ -14,6 +14,7 @@
 #include "diagnosis/fit/left_out.hpp"
 #include "diagnosis/noise/noise_estimate.hpp"
 #include "diagnosis/observations/observations.hpp"
+#include "diagnosis/remarks/remark.hpp"
 #include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
@@ -61,7 +62,7 @@ struct ChannelFit {
     double rmse_after = 0.0;
     Noise noise;
     ChannelNoise found;
-    std::vector<std::string> cautions;
+    Remarks cautions;
     double grid_error = 0.0;   ///< SI, the largest that was corrected; 0 where nothing was, and of cameras
     bool is_in_doubt = false;  ///< its noise may be an error of the model: see is_in_doubt
 
@@ -90,7 +91,7 @@ struct Identification {
     std::vector<ChannelFit> channels;
     std::vector<NumberFit> numbers;
     std::vector<std::string> non_smooth_parameters;  ///< numbers at a switch or a clamp
-    std::vector<std::string> findings;               ///< what the fitted parameters say of the model, a sentence each
+    Remarks findings;                                ///< what the fitted parameters say of the model
     /// Relative fall of the rms on data that were left out, where white noise predicts better and its fit was kept; otherwise 0.
     double white_noise_gain = 0.0;
     double widened = 1.0;           ///< factor on all intervals, where the noise of a channel is in doubt

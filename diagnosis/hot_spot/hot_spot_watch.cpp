@@ -88,9 +88,7 @@ std::optional<HotSpots> HotSpotTracker::report(const solver::Report::Extreme& ho
     }
     const bool whole = settings.steady || histories_.front().time().back() >= settings.end;
     if (!whole) {
-        found.notes.emplace_back(
-            "The run ended early: nothing is said of steady states, of further steps and of what "
-            "drives the hot spots.");
+        found.notes.push_back(remark::run_ended_early());
         return found;
     }
     add_steps(found);
@@ -174,11 +172,11 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
     }
     const solver::PlaceSlopes base = solver::place_slopes(problem_, places, case_->known);
     if (!base.status.ok()) {
-        into.notes.push_back("What drives the hot spots is not known: " + base.status.message + ".");
+        into.notes.push_back(remark::drivers_not_known(base.status.message));
         return;
     }
     for (const std::string& name : base.non_smooth_parameters) {
-        into.notes.push_back(fmt::format("{} is at a kink: its derivative is one-sided.", name));
+        into.notes.push_back(remark::at_kink(name));
     }
     // Two runs for each key, one standard deviation to either side.
     const std::size_t n = case_->uncertain.size();
@@ -214,10 +212,7 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
             const solver::PlaceSlopes& above = sides[2 * i + 1];
             if (!below.status.ok() || !above.status.ok()) {
                 if (p == 0) {
-                    into.notes.push_back(
-                        fmt::format("{} is left out: the case does not run on the same mesh "
-                                    "with one standard deviation more or less of it.",
-                                    key.path.text()));
+                    into.notes.push_back(remark::key_is_left_out(key.path.text()));
                 }
                 continue;
             }

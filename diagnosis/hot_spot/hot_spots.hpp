@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/remarks/remark.hpp"
 #include "solver/hot_spot/hot_spot.hpp"
 #include "solver/hot_spot/hot_spot_drivers.hpp"
 #include "solver/hot_spot/hot_spot_steady.hpp"
@@ -53,7 +54,7 @@ struct HotSpot {
 struct HotSpots {
     std::vector<solver::ScheduleStep> steps{};
     std::vector<HotSpot> spots{};
-    std::vector<std::string> notes{};  ///< sentences about what could not be found
+    Remarks notes{};  ///< what could not be found
 };
 
 }  // namespace tiretherm::diagnosis

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sentences of caution about an estimated noise: far above the data sheet, as slow as the tire, at the bound, or not
+// Remarks of caution about an estimated noise: far above the data sheet, as slow as the tire, at the bound, or not
 // estimated.
 
 #include <cmath>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "diagnosis/noise/noise_estimate.hpp"
 
@@ -22,14 +20,6 @@ bool is_at_longest_correlation(const Noise& noise, const ChannelNoise& found) {
     return noise.correlation_time > 0.99 * found.longest_correlation;
 }
 
-/// 12 s, 3.4 min, 1.2 h
-std::string duration(double seconds) {
-    if (seconds < 120.0) {
-        return fmt::format("{:.2g} s", seconds);
-    }
-    return seconds < 7200.0 ? fmt::format("{:.2g} min", seconds / 60.0) : fmt::format("{:.2g} h", seconds / 3600.0);
-}
-
 }  // namespace
 
 bool is_in_doubt(const Noise& noise, const ChannelNoise& found, double data_sheet) {
@@ -43,48 +33,32 @@ bool is_in_doubt(const Noise& noise, const ChannelNoise& found, double data_shee
     return is_slowest || is_too_large;
 }
 
-std::vector<std::string> cautions(const std::string& channel, const std::string& unit, const Noise& noise,
-                                  const ChannelNoise& found, double data_sheet,
-                                  const std::vector<double>& thermal_times) {
-    std::vector<std::string> said;
+Remarks cautions(const std::string& channel, const std::string& unit, const Noise& noise, const ChannelNoise& found,
+                 double data_sheet, const std::vector<double>& thermal_times) {
     if (found.source == NoiseSource::data_sheet) {
-        said.push_back(
-            fmt::format("{}: its {} samples leave nothing to estimate noise from, the data sheet's {:.3g} {} is taken",
-                        channel, found.samples, noise.sigma, unit));
-        return said;
+        return {remark::noise_of_data_sheet(channel, found.samples, noise.sigma, unit)};
     }
     if (found.source == NoiseSource::assumed) {
-        said.push_back(
-            fmt::format("{}: its {} samples leave nothing to estimate noise from and no standard deviation is stated, "
-                        "{:.3g} {} is assumed; state it with the sensor",
-                        channel, found.samples, noise.sigma, unit));
-        return said;
+        return {remark::noise_assumed(channel, found.samples, noise.sigma, unit)};
     }
+    Remarks all;
     if (data_sheet > 0.0 && noise.sigma > far_above_data_sheet * data_sheet) {
-        said.push_back(
-            fmt::format("{}: the noise of {:.3g} {} is {:.1f} times what the data sheet says ({:.3g} {}): either the "
-                        "sensor is worse than that, or an error of the model is counted as noise",
-                        channel, noise.sigma, unit, noise.sigma / data_sheet, data_sheet, unit));
+        all.push_back(remark::noise_above_data_sheet(channel, noise.sigma, unit, noise.sigma / data_sheet, data_sheet));
     }
     if (noise.correlation_time <= 0.0) {
-        return said;
+        return all;
     }
+    const Seconds correlation_time(noise.correlation_time);
     for (const double time : thermal_times) {
         if (std::abs(std::log(noise.correlation_time / time)) < std::log(alike)) {
-            said.push_back(
-                fmt::format("{}: the noise's correlation time of {} is close to the tire's time constant of {}: an "
-                            "error of the model may be counted as noise",
-                            channel, duration(noise.correlation_time), duration(time)));
+            all.push_back(remark::noise_as_slow_as_tire(channel, correlation_time, Seconds(time)));
             break;
         }
     }
     if (is_at_longest_correlation(noise, found)) {
-        said.push_back(
-            fmt::format("{}: the noise's correlation time reached its upper limit, {} or a tenth of the longest run: a "
-                        "drift of the sensor or an error of the model is taken for noise",
-                        channel, duration(found.longest_correlation)));
+        all.push_back(remark::noise_as_slow_as_allowed(channel, Seconds(found.longest_correlation)));
     }
-    return said;
+    return all;
 }
 
 }  // namespace tiretherm::diagnosis

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "diagnosis/noise/noise.hpp"
+#include "diagnosis/remarks/remark.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -76,8 +77,7 @@ inline constexpr double correlated_above_data_sheet = 1.5;
 /// What is to be said about a channel's noise, a sentence each: far above the data sheet, as slow as the tire, as slow
 /// as is allowed, or not estimated at all.
 /// @param thermal_times s, time constants of the tire that the channel sees
-[[nodiscard]] std::vector<std::string> cautions(const std::string& channel, const std::string& unit, const Noise& noise,
-                                                const ChannelNoise& found, double data_sheet,
-                                                const std::vector<double>& thermal_times);
+[[nodiscard]] Remarks cautions(const std::string& channel, const std::string& unit, const Noise& noise,
+                               const ChannelNoise& found, double data_sheet, const std::vector<double>& thermal_times);
 
 }  // namespace tiretherm::diagnosis

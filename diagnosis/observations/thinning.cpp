@@ -208,9 +208,8 @@ Thinned thinned(const input::Experiment& experiment) {
         if (into.samples > 1) {
             thin(run, into.samples, into.interval, simulated);
             const double rate = 1.0 / into.interval;
-            result.remarks.push_back(fmt::format(
-                "{}: {:.3g} Hz thinned to {:.3g} Hz by means of {} samples; the inputs are as they were logged",
-                run.name, rate, rate / static_cast<double>(into.samples), into.samples));
+            result.remarks.push_back(remark::thinned(run.name, rate, rate / static_cast<double>(into.samples),
+                                                     static_cast<long>(into.samples)));
         }
     }
     return result;

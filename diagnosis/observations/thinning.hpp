@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/remarks/remark.hpp"
 #include "input/measurements/experiment.hpp"
 
 namespace tiretherm::diagnosis {
@@ -19,8 +20,8 @@ struct ThinnedRun {
 /// An experiment with fewer values that say the same.
 struct Thinned {
     input::Experiment experiment;
-    std::vector<ThinnedRun> runs;      ///< [n_runs]
-    std::vector<std::string> remarks;  ///< what was thinned and how far, a sentence for each run
+    std::vector<ThinnedRun> runs;  ///< [n_runs]
+    Remarks remarks;               ///< what was thinned and how far, one for each run
 };
 
 /// Values that a channel keeps in a run, about.

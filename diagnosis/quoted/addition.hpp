@@ -3,10 +3,8 @@
 // another value of an input that is not printed, or an error of an instrument. Each has one number, or none.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace tiretherm::diagnosis::quoted {
@@ -18,8 +16,6 @@ enum class AdditionKind : std::uint8_t {
     input,      ///< of the experiments, not printed
     instrument  ///< offset or gain of all readings of one sensor's name
 };
-inline constexpr std::array<std::string_view, 5> kind_names{"effect", "number of the model", "mesh", "unprinted input",
-                                                            "instrument"};
 
 /// One addition with what it changes, at some values of its number.
 struct Addition {

@@ -39,17 +39,16 @@ void fill(WhatIfRow& row, const solver::RunEnd& end, const solver::Report& base)
 }
 
 /// Why a value moves nothing.
-std::string reason(const std::string& key, const solver::Problem& problem) {
+Remark reason(const std::string& key, const solver::Problem& problem) {
     const std::string_view signal = std::string_view(key).substr(key.find('.') + 1);
     if (!key.starts_with("drive.") || physics::find_signal(signal) == nullptr) {
-        return "no effect that is on looks at it";
+        return remark::no_effect_looks_at_it();
     }
     if (const std::vector<std::string> readers = input::readers_of(problem, signal); !readers.empty()) {
-        return fmt::format("{} may read it and does not use it here", input::listed(readers));
+        return remark::may_read_it(input::listed(readers));
     }
     const std::vector<std::string> others = input::would_read(problem, signal);
-    return others.empty() ? "no effect that is on reads it"
-                          : fmt::format("no effect that is on reads it; {} would", input::listed(others));
+    return others.empty() ? remark::no_effect_reads_it() : remark::others_would_read_it(input::listed(others));
 }
 
 }  // namespace
@@ -66,9 +65,9 @@ WhatIf what_if(const std::vector<input::ChangedRuns>& changes, const std::vector
     std::vector<Task> tasks;
     for (const input::ChangedRuns& change : changes) {
         if (!change.nothing_to_change.empty()) {
-            const std::string sentence = fmt::format("{} {}.", change.key, change.nothing_to_change);
-            if (std::ranges::find(answer.remarks, sentence) == answer.remarks.end()) {
-                answer.remarks.push_back(sentence);
+            const Remark remark = remark::nothing_to_change(change.key, change.nothing_to_change);
+            if (std::ranges::find(answer.remarks, remark) == answer.remarks.end()) {
+                answer.remarks.push_back(remark);
             }
         }
         for (std::size_t r = 0; r < std::min(change.runs.size(), base.size()); ++r) {
@@ -89,7 +88,7 @@ WhatIf what_if(const std::vector<input::ChangedRuns>& changes, const std::vector
         const auto moves = [&](const WhatIfRow& other) { return other.key == row.key && !other.moves_nothing(); };
         if (std::ranges::find(keys, row.key) == keys.end() && std::ranges::none_of(answer.rows, moves)) {
             keys.push_back(row.key);
-            answer.remarks.push_back(fmt::format("{} moves nothing: {}.", row.key, reason(row.key, *base.front())));
+            answer.remarks.push_back(remark::moves_nothing(row.key, {reason(row.key, *base.front())}));
         }
     }
     return answer;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/remarks/remark.hpp"
 #include "input/studies/what_if.hpp"
 #include "solver/time_integration/march.hpp"
 
@@ -25,7 +26,7 @@ struct WhatIfRow {
 
 struct WhatIf {
     std::vector<WhatIfRow> rows;
-    std::vector<std::string> remarks;  ///< values that move nothing or are not there, a sentence each
+    Remarks remarks;  ///< values that move nothing or are not there
 };
 
 /// Simulates all changed runs, several at a time. An end that is asked for leaves out the rest.

@@ -86,10 +86,6 @@ enum class Judgement : std::uint8_t {
 };
 [[nodiscard]] Judgement judge(const ValidationRow& row, std::size_t model);
 
-/// "within (0.7 u)", "3.1 u too hot", in total uncertainties; "holds" or "does not hold" of an open range; "not decidable
-/// (ramp)" with the input that moves it most; "failed"; empty where nothing was measured.
-[[nodiscard]] std::string verdict(const ValidationRow& row, std::size_t model);
-
 /// A table with what it took to make it.
 struct ValidationRecord {
     std::string title;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Differences in units of the uncertainty (within 2 u), verdicts at the ends of the ranges of unknown inputs, verdicts in
-// words, and bias, rms and scatter of a model.
+// Differences in units of the uncertainty (within 2 u), verdicts at the ends of the ranges of unknown inputs, and
+// bias, rms and scatter of a model.
 
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "diagnosis/validation/validation_table.hpp"
 
@@ -14,17 +12,6 @@ namespace tiretherm::diagnosis {
 namespace {
 
 constexpr double within = 2.0;  ///< u: the usual expanded uncertainty, 95 % of a normal distribution
-
-/// What a number that is too large is, and one that is too small.
-std::pair<const char*, const char*> words(const std::string& unit) {
-    if (unit == "degC") {
-        return {"hot", "cold"};
-    }
-    if (unit == "s") {
-        return {"late", "early"};
-    }
-    return {"large", "small"};
-}
 
 }  // namespace
 
@@ -99,34 +86,6 @@ Judgement judge(const ValidationRow& row, std::size_t model) {
     const bool outside = lowest > row.high + margin || highest < row.low - margin;
     return outside && std::abs(*off) > within * total_uncertainty(row, model) ? Judgement::fails
                                                                               : Judgement::not_decidable;
-}
-
-std::string verdict(const ValidationRow& row, std::size_t model) {
-    const Judgement judgement = judge(row, model);
-    switch (judgement) {
-        case Judgement::none:
-            return "";
-        case Judgement::no_result:
-            return "failed";
-        case Judgement::not_decidable: {
-            const auto circular = std::ranges::find_if(row.inputs, &InputEffect::inferred_from_it);
-            return circular != row.inputs.end() ? fmt::format("not decidable ({} inferred from it)", circular->name)
-                                                : fmt::format("not decidable ({})", reach(row, model).widest);
-        }
-        case Judgement::passes:
-        case Judgement::fails:
-            break;
-    }
-    if (row.is_open()) {
-        return judgement == Judgement::passes ? "holds" : "does not hold";
-    }
-    const double off = difference(row, model).value();
-    const double score = std::abs(off) / total_uncertainty(row, model);
-    if (judgement == Judgement::passes) {
-        return off == 0.0 ? "within" : fmt::format("within ({:.1f} u)", score);
-    }
-    const auto [large, small] = words(row.unit);
-    return fmt::format("{:.1f} u too {}", score, off > 0.0 ? large : small);
 }
 
 ModelFigures figures(const ValidationRecord& record, std::size_t model, bool common) {

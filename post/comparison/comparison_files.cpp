@@ -11,6 +11,7 @@
 #include "post/page/html_page.hpp"
 #include "post/report/csv.hpp"
 #include "post/report/file.hpp"
+#include "post/report/phase_text.hpp"
 
 namespace tiretherm::post {
 

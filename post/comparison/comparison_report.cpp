@@ -14,6 +14,7 @@
 #include "post/laps/heat_by_lap.hpp"
 #include "post/page/measured_chart.hpp"
 #include "post/report/number_text.hpp"
+#include "post/report/phase_text.hpp"
 
 namespace tiretherm::post {
 

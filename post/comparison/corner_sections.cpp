@@ -12,6 +12,7 @@
 
 #include "post/comparison/comparison_sentences.hpp"
 #include "post/comparison/figure_fields.hpp"
+#include "post/report/phase_text.hpp"
 
 namespace tiretherm::post {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis/detect/confounded_effects.hpp"
 #include "post/comparison/corner_sections.hpp"
+#include "post/diagnosis/cause_sections.hpp"
 #include "post/diagnosis/diagnosis_charts.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
@@ -17,6 +17,8 @@
 #include "post/page/observed_series.hpp"
 #include "post/page/page_origin.hpp"
 #include "post/report/number_text.hpp"
+#include "post/report/remark_text.hpp"
+#include "post/report/stage_text.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
 #include "solver/compared_ranges.hpp"
@@ -27,151 +29,8 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-/// Causes that are reported beside those of the set.
-constexpr std::size_t most_others = 6;
 /// Windows of missing heat that are listed.
 constexpr std::size_t most_windows = 5;
-/// Letters of a cause's name in a row.
-constexpr std::size_t widest_name = 36;
-
-std::string unit_or_dash(const std::string& unit) { return unit == "1" ? "-" : slashed_unit(unit); }
-
-/// A source without a name, as a case may have it.
-std::string unknown_text(const UnknownSource& unknown, const input::Experiment& experiment) {
-    const solver::ShownUnit unit = unit_of(unknown, experiment);
-    std::string text;
-    if (unknown.run.empty() && unknown.follows != "1") {
-        text =
-            fmt::format("{:.3g} {} per {}{} of {}. ", unit.difference(unknown.per), unit.name,
-                        unknown.unit == "1" || unknown.unit == "-" || unknown.unit.empty() ? "1" : "1 ",
-                        unknown.unit == "1" || unknown.unit == "-" ? "" : slashed_unit(unknown.unit), unknown.follows);
-    }
-    return text + (unknown.sensor
-                       ? "A reading that changes faster than heat could make it is the sensor's or the logger's."
-                       : "In extended.toml it is a [[source]] of the case's own, to go on with until it has a name.");
-}
-
-/// What each cause of the set is, and what is confounded with it.
-Section interpretation(const DiagnosisRecord& record) {
-    const Diagnosis& result = record.result;
-    Section section("Interpretation");
-    if (result.unknown) {
-        section.say(unknown_text(*result.unknown, record.experiment));
-    }
-    for (const Cause& cause : result.causes) {
-        if (!cause.in_set) {
-            continue;
-        }
-        Section part(name_of(cause), {meaning_of(cause), cause.bound, cause.implausible});
-        for (const physics::ConfoundedGroup* group : confounded_groups_of(cause.id)) {
-            part.say(fmt::format("Confounded with {}. What separates them: {}.", others_of(*group, cause.id),
-                                 group->separated));
-        }
-        section.add(std::move(part));
-    }
-    return section;
-}
-
-/// A cause's rows on the page, one for each of its numbers; a long name goes on in the second.
-void add_rows(DataTable& table, const Cause& cause) {
-    std::vector<std::string> names{name_of(cause)};
-    if (names.front().size() > widest_name) {
-        names = {cause.id, names.front().substr(cause.id.size())};
-    }
-    for (std::size_t i = 0; i < std::max({names.size(), cause.numbers.size()}); ++i) {
-        const CauseNumber number = i < cause.numbers.size() ? cause.numbers[i] : CauseNumber{};
-        const bool any = i < cause.numbers.size();
-        const double half = 0.5 * (number.high - number.low);
-        const auto show = [&](double value) { return to_its_digits(value, half); };
-        const std::string interval =
-            half > 0.0 ? fmt::format("{} to {}", show(number.low), show(number.high)) : "on trial";
-        table.add({page_only("", right(i == 0 ? fmt::format("{}", cause.rank) : "")),
-                   page_only("cause", i < names.size() ? names[i] : ""), page_only("parameter", number.key),
-                   page_only("fitted", right(any ? show(number.value) : "")),
-                   page_only("unit", any ? unit_or_dash(number.unit) : ""),
-                   page_only("95 %", right(any ? interval : "")),
-                   page_only("sigma", i == 0 ? shown("{:.1f}", cause.sigma) : right("")),
-                   page_only("gain", i == 0 ? shown("{:.1f}", cause.gain) : right("")),
-                   page_only("", i == 0 && cause.in_set ? "*" : "")});
-    }
-}
-
-Section causes_section(const Diagnosis& result) {
-    Section section("Candidate causes");
-    DataTable table;
-    std::size_t others = 0;
-    for (const Cause& cause : result.causes) {
-        if (cause.in_set || ++others <= most_others) {
-            add_rows(table, cause);
-        }
-    }
-    if (table.empty()) {
-        return section;
-    }
-    section.add(std::move(table));
-    add_cause_charts(section, result);
-    section.say(
-        fmt::format("{}sigma: standard deviations from no effect or from the case's value; gain: in log likelihood "
-                    "over the model without it, the free parameters fitted anew each time.",
-                    std::ranges::any_of(result.causes, &Cause::in_set) ? "*: in the set; " : ""));
-    if (others > most_others) {
-        section.say(fmt::format("{} more are less likely; all of them stand in diagnosis.json.", others - most_others));
-    }
-    return section;
-}
-
-Value causes_data(const Diagnosis& result) {
-    Value::List list;
-    for (const Cause& cause : result.causes) {
-        list.push_back({{"id", cause.id},
-                        {"channel", text_or_null(cause.channel)},
-                        {"place", text_or_null(cause.place)},
-                        {"parameters", parameters_data(cause)},
-                        {"instead_of", cause.instead_of},
-                        {"sigma", cause.sigma},
-                        {"log_likelihood_gain", cause.gain},
-                        {"probability", where(cause.probability > 0.0, cause.probability)},
-                        {"in_set", cause.in_set},
-                        {"rank", cause.rank},
-                        {"bound", text_or_null(cause.bound)},
-                        {"implausible", text_or_null(cause.implausible)},
-                        {"meaning", meaning_of(cause)}});
-    }
-    return list;
-}
-
-Value set_data(const Diagnosis& result) {
-    Value::List set;
-    for (const std::vector<std::size_t>& hypothesis : result.hypotheses) {
-        Value::List ids;
-        for (const std::size_t cause : hypothesis) {
-            ids.push_back(result.causes[cause].id);
-        }
-        set.push_back(ids);
-    }
-    return set;
-}
-
-/// `watts` of heat; of a reading that is off there are none, and `size` is in the channel's unit.
-Value unknown_data(const UnknownSource& source, const input::Experiment& experiment) {
-    const solver::ShownUnit unit = unit_of(source, experiment);
-    const auto show = [&](double si) { return unit.difference(si); };
-    Value data{
-        {"place", source.place},
-        {"follows", source.follows},
-        {"watts", where(!source.sensor, show(source.watts))},
-        {"sensor", source.sensor},
-        {"size",
-         {{"value", show(source.watts)}, {"unit", unit.name}, {"low", show(source.low)}, {"high", show(source.high)}}},
-        {"per_unit_of_signal", show(source.per)},
-        {"signal_unit", source.unit == "-" ? "1" : slashed_unit(source.unit)},
-        {"sigma", source.sigma},
-        {"alike", source.alike}};
-    if (!source.run.empty()) {
-        data.set("window", {{"run", source.run}, {"from", source.from}, {"to", source.to}});
-    }
-    return data;
-}
 
 DataTable limits(const Diagnosis& result) {
     DataTable table;
@@ -220,6 +79,23 @@ DataTable channels(const DiagnosisRecord& record) {
     return table;
 }
 
+/// The model that a gain is measured against; empty where that is the fitted one.
+std::string base_of(const Gain& gain) {
+    switch (gain.over) {
+        case BaseModel::none:
+            break;
+        case BaseModel::correlated_noise:
+            return "the case fitted with correlated noise";
+        case BaseModel::white_noise:
+            return "the case fitted with white noise";
+        case BaseModel::as_it_stands:
+            return "the case as it stands";
+        case BaseModel::other_mesh:
+            return gain.over_mesh;
+    }
+    return "";
+}
+
 Section gain_section(const DiagnosisRecord& record, DataTable table) {
     Section section("Gain");
     const Gain& gain = record.result.gain;
@@ -233,7 +109,7 @@ Section gain_section(const DiagnosisRecord& record, DataTable table) {
             "On {} that took no part in fitting, {:.0f} % of the error that a model could remove (mean square) is "
             "removed (95 %: {:.0f} to {:.0f} %){}; {}.",
             gain.within_run ? "blocks of the run" : "runs", 100.0 * gain.removable_removed, 100.0 * gain.low,
-            100.0 * gain.high, gain.over.empty() ? "" : ", measured against " + gain.over,
+            100.0 * gain.high, gain.over == BaseModel::none ? "" : ", measured against " + base_of(gain),
             gain.confirmed ? fmt::format("confirmed there, at odds of {}",
                                          decades > 6.0 ? "more than 10^6" : fmt::format("10^{:.0f}", decades))
                            : "not confirmed there"));
@@ -251,7 +127,7 @@ Value gain_data(const Gain& gain) {
             {"error_removed", where(gain.measured, gain.removed)},
             {"error_removed_low", where(gain.measured, gain.removed_low)},
             {"error_removed_high", where(gain.measured, gain.removed_high)},
-            {"over", text_or_null(gain.over)},
+            {"over", text_or_null(base_of(gain))},
             {"within_run", gain.within_run},
             {"log_e", where(gain.measured, gain.log_e)}};
 }
@@ -392,10 +268,10 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                    {"held_out_gains", held_out_data(result)},
                    {"columns", unused_columns_table(record.experiment).data()},
                    {"runs", run_verdicts_data(record)},
-                   {"stopped", text_or_null(result.stopped)}};
+                   {"stopped", text_or_null(std::string(text_of(result.stopped)))}};
     std::vector<std::string> verdict{reason_of(record)};
     std::ranges::move(certainty_of(record), std::back_inserter(verdict));
-    if (!result.stopped.empty() && result.verdict != Verdict::cannot_tell) {
+    if (result.stopped != Part::none && result.verdict != Verdict::cannot_tell) {
         verdict.push_back(fmt::format("Best answer after {}: {}", seconds_text(result.seconds), stop_text(result)));
     }
     report.add_verdict(std::move(verdict));
@@ -433,7 +309,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     }
     report.add(std::move(of_noise_section));
     report.add(unused_columns_section(record.experiment));
-    report.add("Remarks", "remarks", result.remarks);
+    report.add("Remarks", "remarks", texts_of(result.remarks));
     report.add("Findings about the data", "findings", record.findings);
     solver::Extrapolations extrapolations;
     for (const input::MeasuredRun& run : record.experiment.runs) {

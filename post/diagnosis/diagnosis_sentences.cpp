@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "post/report/number_text.hpp"
+#include "post/report/remark_text.hpp"
+#include "post/report/stage_text.hpp"
 
 namespace tiretherm::post {
 
@@ -122,12 +124,13 @@ std::string partial(const DiagnosisRecord& record) {
 }
 
 std::string cannot_tell(const Diagnosis& diagnosis) {
-    if (!diagnosis.stopped.empty()) {
+    const std::string reason = diagnosis.reason ? text_of(*diagnosis.reason) : "";
+    if (diagnosis.stopped != Part::none) {
         return fmt::format("No answer after {}: {}{}{}", seconds_text(diagnosis.seconds), stop_text(diagnosis),
-                           diagnosis.reason.empty() ? "" : " ", diagnosis.reason);
+                           reason.empty() ? "" : " ", reason);
     }
-    if (!diagnosis.reason.empty()) {
-        return fmt::format("These data do not allow a diagnosis: {}", diagnosis.reason);
+    if (!reason.empty()) {
+        return fmt::format("These data do not allow a diagnosis: {}", reason);
     }
     if (diagnosis.numerical_error_sigma > coarse) {
         return fmt::format(
@@ -144,9 +147,9 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
 
 std::string stop_text(const Diagnosis& diagnosis) {
     const Stage& at = diagnosis.stopped_at;
-    std::string text = fmt::format("stopped during the {}", diagnosis.stopped);
-    if (at.count > 0) {
-        text += fmt::format(", at {} {} of {}", at.doing, at.number, at.count);
+    std::string text = fmt::format("stopped during the {}", text_of(diagnosis.stopped));
+    if (at.is_counted()) {
+        text += fmt::format(", at {} {} of {}", text_of(at), at.number, at.count);
         text += at.of.empty() ? "" : fmt::format(" ({})", at.of);
     }
     text += ".";

@@ -9,6 +9,7 @@
 #include "diagnosis/compare/observed_comparison.hpp"
 #include "post/comparison/comparison_sentences.hpp"
 #include "post/report/number_text.hpp"
+#include "post/report/phase_text.hpp"
 
 namespace tiretherm::post {
 

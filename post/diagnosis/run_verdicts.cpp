@@ -11,6 +11,7 @@
 
 #include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/report/number_text.hpp"
+#include "post/report/stage_text.hpp"
 
 namespace tiretherm::post {
 
@@ -84,7 +85,7 @@ std::string verdict_text(const RunVerdict& run) {
     if (!run.status.ok()) {
         return run.status.outcome == solver::Outcome::stopped ? "stopped" : "failed";
     }
-    return std::string(word_of(run.verdict)) + (run.stopped.empty() ? "" : ", stopped");
+    return std::string(word_of(run.verdict)) + (run.stopped == Part::none ? "" : ", stopped");
 }
 
 std::string gain_text(const Gain& gain) {
@@ -131,6 +132,21 @@ DataTable table_of(const DiagnosisRecord& record) {
 /// Which runs show causes that others do not. @param shown_by names of runs
 std::string difference_of(const std::string& causes, const std::vector<std::string>& shown_by) {
     return fmt::format("{} {} {}.", listed(shown_by), shown_by.size() == 1 ? "alone shows" : "show", causes);
+}
+
+std::string left_out_text(const DiagnosisRecord& record) {
+    switch (record.by_run.left_out) {
+        case LeftOutRuns::none:
+            break;
+        case LeftOutRuns::stopped_before:
+            return "No run was diagnosed alone: it was stopped.";
+        case LeftOutRuns::takes_long:
+            return "No run was diagnosed alone, because all together took long; --by-run does it.";
+        case LeftOutRuns::stopped_after:
+            return fmt::format("Stopped after {} of {} runs.", record.by_run.runs.size(),
+                               record.experiment.runs.size());
+    }
+    return "";
 }
 
 }  // namespace
@@ -210,7 +226,7 @@ Section run_verdicts_section(const DiagnosisRecord& record) {
         section.say(agreement_of(record));
         section.say("held-out gain: share of the removable error that is removed on blocks of the run left out (95 %)");
     }
-    section.say(record.by_run.left_out);
+    section.say(left_out_text(record));
     return section;
 }
 
@@ -235,14 +251,15 @@ Value run_verdicts_data(const DiagnosisRecord& record) {
                               {"sigma", run.unknown->sigma},
                               {"hypothesis", run.hypotheses.size() + 1}});
         }
-        list.push_back({{"name", run.name},
-                        {"verdict", run.status.ok() ? Value(word_of(run.verdict)) : Value()},
-                        {"causes", causes},
-                        {"gain", where(run.gain.measured, run.gain.removable_removed)},
-                        {"gain_low", where(run.gain.measured, run.gain.low)},
-                        {"gain_high", where(run.gain.measured, run.gain.high)},
-                        {"confirmed", run.gain.confirmed},
-                        {"stopped", text_or_null(run.status.ok() ? run.stopped : run.status.message)}});
+        list.push_back(
+            {{"name", run.name},
+             {"verdict", run.status.ok() ? Value(word_of(run.verdict)) : Value()},
+             {"causes", causes},
+             {"gain", where(run.gain.measured, run.gain.removable_removed)},
+             {"gain_low", where(run.gain.measured, run.gain.low)},
+             {"gain_high", where(run.gain.measured, run.gain.high)},
+             {"confirmed", run.gain.confirmed},
+             {"stopped", text_or_null(run.status.ok() ? std::string(text_of(run.stopped)) : run.status.message)}});
     }
     return list;
 }

@@ -11,6 +11,7 @@
 #include "post/hot_spot/hot_spots_report.hpp"
 #include "post/page/time_chart.hpp"
 #include "post/report/number_text.hpp"
+#include "post/report/remark_text.hpp"
 
 namespace tiretherm::post {
 
@@ -257,7 +258,7 @@ Section hot_spots_section(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
         section.add(spot_part(hot_spots, spot, mesh));
     }
     add_history_chart(section, hot_spots);
-    for (const std::string& note : hot_spots.notes) {
+    for (const std::string& note : texts_of(hot_spots.notes)) {
         section.say(note);
     }
     return section;
@@ -286,7 +287,7 @@ Value hot_spots_data(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
                         {"further_steps", further(spot)},
                         {"uncertainty", uncertainty(spot)}});
     }
-    return {{"spots", list}, {"notes", hot_spots.notes}};
+    return {{"spots", list}, {"notes", texts_of(hot_spots.notes)}};
 }
 
 }  // namespace tiretherm::post

@@ -10,6 +10,7 @@
 
 #include "post/comparison/comparison_sentences.hpp"
 #include "post/report/number_text.hpp"
+#include "post/report/remark_text.hpp"
 #include "solver/channel_unit.hpp"
 
 namespace tiretherm::post {
@@ -36,7 +37,7 @@ DataTable fitted_channels(const IdentificationRecord& record) {
                    data_only("white_share", fit.noise.white_share),
                    data_only("grid_error", unit.difference(fit.grid_error)),
                    data_only("in_doubt", fit.is_in_doubt),
-                   data_only("cautions", fit.cautions)});
+                   data_only("cautions", texts_of(fit.cautions))});
     }
     return table;
 }
@@ -81,7 +82,7 @@ Section fit_section(const IdentificationRecord& record, DataTable of_channels, D
                                     grid_error_text(most->name, unit, most->grid_error)));
         }
         for (const ChannelFit& one : record.result.channels) {
-            for (const std::string& caution : one.cautions) {
+            for (const std::string& caution : texts_of(one.cautions)) {
                 section.item(caution);
             }
         }

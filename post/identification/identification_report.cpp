@@ -17,6 +17,7 @@
 #include "post/page/observed_series.hpp"
 #include "post/page/page_origin.hpp"
 #include "post/report/number_text.hpp"
+#include "post/report/remark_text.hpp"
 #include "post/report/table.hpp"
 #include "solver/channel_unit.hpp"
 #include "solver/compared_ranges.hpp"
@@ -249,7 +250,7 @@ Report identification_report(const IdentificationRecord& record, const std::vect
     if (!record.planned) {
         report.add(law_charts(record));
     }
-    std::vector<std::string> findings = result.findings;
+    std::vector<std::string> findings = texts_of(result.findings);
     findings.insert(findings.end(), record.findings.begin(), record.findings.end());
     report.add("Findings", "findings", findings);
     report.add(identifiability_section(record));

@@ -21,6 +21,9 @@ using namespace diagnosis::quoted;  // whose results are rendered here
 
 namespace {
 
+constexpr std::array<std::string_view, 5> kind_names{"effect", "number of the model", "mesh", "unprinted input",
+                                                     "instrument"};  ///< [AdditionKind]
+
 constexpr std::size_t most_shown = 12;  ///< additions on the page; all are in the data
 
 constexpr const char* legend =

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "post/page/charts.hpp"
+#include "post/report/remark_text.hpp"
 #include "post/run/run_sections.hpp"
 #include "solver/channel_unit.hpp"
 
@@ -66,7 +67,7 @@ Section what_if_section(const WhatIf& what_if, const std::vector<solver::Channel
             section.say(fmt::format("{} more sensors are in the JSON.", channels.size() - most_channels));
         }
     }
-    for (const std::string& remark : what_if.remarks) {
+    for (const std::string& remark : texts_of(what_if.remarks)) {
         section.item(remark);
     }
     std::vector<std::string> tires;
@@ -107,7 +108,7 @@ Value what_if_data(const WhatIf& what_if, const std::vector<solver::Channel>& ch
                         {"hottest", where(row.failure.empty(), row.hottest)},
                         {"channels", std::move(sensors)}});
     }
-    return {{"changes", std::move(rows)}, {"remarks", what_if.remarks}};
+    return {{"changes", std::move(rows)}, {"remarks", texts_of(what_if.remarks)}};
 }
 
 }  // namespace tiretherm::post

@@ -27,4 +27,8 @@ namespace tiretherm::post {
 /// All inputs with standing, value and range, and for each number what is known of its inputs and what they change.
 [[nodiscard]] std::string validation_inputs_markdown(const diagnosis::ValidationRecord& record);
 
+/// "within (0.7 u)", "3.1 u too hot", in total uncertainties; "holds" or "does not hold" of an open range; "not decidable
+/// (ramp)" with the input that moves it most; "failed"; empty where nothing was measured.
+[[nodiscard]] std::string verdict(const diagnosis::ValidationRow& row, std::size_t model);
+
 }  // namespace tiretherm::post

@@ -57,7 +57,7 @@ TEST(RunVerdicts, EachRunNamesItsOwnCause) {
     const input::Experiment experiment = with_different_causes();
     const RunVerdicts found = diagnose_by_run(experiment, {});
     ASSERT_EQ(found.runs.size(), 2U);
-    EXPECT_EQ(found.left_out, "");
+    EXPECT_EQ(found.left_out, LeftOutRuns::none);
     EXPECT_EQ(found.runs[0].name, "run1");
     EXPECT_EQ(found.runs[1].name, "run2");
     for (const RunVerdict& run : found.runs) {
@@ -96,13 +96,13 @@ TEST(RunVerdicts, NoRunBeginsWhenTimeIsUp) {
     const RunVerdicts found = diagnose_by_run(experiment, {});
     solver::stop_after(std::numeric_limits<double>::infinity());
     EXPECT_TRUE(found.runs.empty());
-    EXPECT_EQ(found.left_out, "Stopped after 0 of 2 runs.");
+    EXPECT_EQ(found.left_out, LeftOutRuns::stopped_after);
     EXPECT_FALSE(found.are_cut_short());  // none was begun: the answer of all together stands
-    RunVerdicts some{.runs = {{.name = "run1"}}, .left_out = "Stopped after 1 of 2 runs."};
+    RunVerdicts some{.runs = {{.name = "run1"}}, .left_out = LeftOutRuns::stopped_after};
     EXPECT_TRUE(some.are_cut_short());
-    some.left_out = "";
+    some.left_out = LeftOutRuns::none;
     EXPECT_FALSE(some.are_cut_short());
-    some.runs.front().stopped = "search of causes";
+    some.runs.front().stopped = Part::causes;
     EXPECT_TRUE(some.are_cut_short());
 }
 

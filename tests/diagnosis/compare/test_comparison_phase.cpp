@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/compare/phase.hpp"
+#include "post/report/phase_text.hpp"
 
 namespace tiretherm::diagnosis {
 namespace {
@@ -115,16 +116,16 @@ double number_before(std::string_view text, std::string_view unit) {
 // Whoever reads the meaning of a phase in a report can rely on its numbers: a thousandth to either side of them the phase
 // is another one.
 TEST(Phase, ChangesAtTheNumbersOfItsMeaning) {
-    const double speed = number_before(meaning_of(Phase::standing), " m/s");
+    const double speed = number_before(post::meaning_of(Phase::standing), " m/s");
     EXPECT_EQ(phase_of(0.999 * speed, 0.0, 0.0), Phase::standing);
     EXPECT_EQ(phase_of(1.001 * speed, 0.0, 0.0), Phase::free_rolling);
-    const double degrees = number_before(meaning_of(Phase::slipping), " deg");
+    const double degrees = number_before(post::meaning_of(Phase::slipping), " deg");
     EXPECT_EQ(phase_of(20.0, 0.999 * degrees, 0.0), Phase::free_rolling);
     EXPECT_EQ(phase_of(20.0, -1.001 * degrees, 0.0), Phase::slipping);
-    const double ratio = 0.01 * number_before(meaning_of(Phase::slipping), " %");
+    const double ratio = 0.01 * number_before(post::meaning_of(Phase::slipping), " %");
     EXPECT_EQ(phase_of(20.0, 0.0, 0.999 * ratio), Phase::free_rolling);
     EXPECT_EQ(phase_of(20.0, 0.0, 1.001 * ratio), Phase::slipping);
-    const double fall = 9.81 * number_before(meaning_of(Phase::slowing), " g");
+    const double fall = 9.81 * number_before(post::meaning_of(Phase::slowing), " g");
     EXPECT_EQ(phase_of(20.0, 0.0, 0.0, 0.999 * fall), Phase::free_rolling);
     EXPECT_EQ(phase_of(20.0, 0.0, 0.0, 1.001 * fall), Phase::slowing);
 }
@@ -133,7 +134,7 @@ TEST(Phase, ChangesAtTheNumbersOfItsMeaning) {
 TEST(Phase, NamesAreThoseOfTheFiles) {
     std::vector<std::string_view> names;
     for (const Phase phase : phases) {
-        names.push_back(name_of(phase));
+        names.push_back(post::name_of(phase));
     }
     EXPECT_EQ(names, (std::vector<std::string_view>{"standing", "slipping", "slowing", "free rolling", "cornering",
                                                     "braking", "driving", "straight"}));

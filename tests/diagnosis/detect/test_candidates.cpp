@@ -30,12 +30,9 @@ TEST(Candidates, ACameraOnAStripHasAnEmissivity) {
 TEST(Candidates, SayWhatWasListedAndNotTried) {
     input::Experiment experiment = practice_bench();
     experiment.candidates = {"sensor_lag", "tread_wear", "pressure_reading_speed"};
-    EXPECT_EQ(
-        untried(experiment),
-        (std::vector<std::string>{"tread_wear is listed in [diagnose] candidates and was not tried: it needs a grid, "
-                                  "and the mesh is of lumps",
-                                  "pressure_reading_speed is listed in [diagnose] candidates and was not tried: no "
-                                  "measured sensor is of its kind"}));
+    EXPECT_EQ(untried(experiment),
+              (Remarks{remark::not_tried("tread_wear", {remark::needs_grid()}),
+                       remark::not_tried("pressure_reading_speed", {remark::no_sensor_of_its_kind()})}));
 }
 
 // The logs of the bench have speed, load and slip angle that change; camber does not.

@@ -4,6 +4,7 @@
 #include "diagnosis/findings/sensor_kind.hpp"
 #include "diagnosis/practice_bench.hpp"
 #include "input/runs/reader.hpp"
+#include "post/report/remark_text.hpp"
 #include "support/written.hpp"
 
 namespace tiretherm::diagnosis {
@@ -42,7 +43,7 @@ struct FittedBench {
     [[nodiscard]] std::vector<std::string> findings() const {
         std::vector<std::string> sentences;
         for (const ParameterFinding& one : parameter_findings(experiment, fitted, before)) {
-            sentences.push_back(one.sentence);
+            sentences.push_back(post::text_of(one.remark));
         }
         return sentences;
     }

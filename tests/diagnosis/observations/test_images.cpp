@@ -248,10 +248,11 @@ TEST(CameraRings, HoldTheMeanOfTheirPixels) {
     const Observations observations = observe(experiment);
     const Simulator simulator(experiment, observations);
     make_frames(experiment, simulator.start(), 0.0, 0.0, 5);
-    std::vector<std::string> remarks;
+    Remarks remarks;
     const input::Experiment rings = in_rings(experiment, remarks);
     ASSERT_EQ(remarks.size(), 1U);
-    EXPECT_NE(remarks.front().find("means of 3 rings"), std::string::npos);
+    EXPECT_EQ(remarks.front().code, RemarkCode::images_as_rings);
+    EXPECT_EQ(std::get<long>(remarks.front().about[1]), 3);
     EXPECT_EQ(rings.parameters.size(), 3U);  // where the image lies is no question any more
     const input::MeasuredRun& run = rings.runs.front();
     EXPECT_TRUE(run.frames.empty());

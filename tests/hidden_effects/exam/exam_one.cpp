@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "hidden_effects/exam/exam_evaluation.hpp"
+#include "post/report/remark_text.hpp"
 
 namespace {
 
@@ -47,7 +48,8 @@ void print_diagnosis(const diagnosis::Diagnosis& found) {
     if (!found.status.ok()) {
         fmt::print("failed     {}\n", found.status.message);
     }
-    fmt::print("verdict    {}: {}\n", diagnosis::word_of(found.verdict), found.reason);
+    fmt::print("verdict    {}: {}\n", diagnosis::word_of(found.verdict),
+               found.reason ? tiretherm::post::text_of(*found.reason) : "");
     for (const auto& hypothesis : found.hypotheses) {
         std::string text;
         for (const std::size_t i : hypothesis) {

@@ -165,9 +165,8 @@ TEST(DiagnosisReport, CannotTellSaysWhyAndWhatHelps) {
                     "with the square "
                     "of the spacing: 1.3 times as many cells in every direction would do."))  // sqrt(5.3 / 3) = 1.33
         << reason_of(made_up.record());
-    made_up.result.reason = "the run lasts 20 s; a run of some minutes would help.";
-    EXPECT_EQ(reason_of(made_up.record()),
-              "These data do not allow a diagnosis: the run lasts 20 s; a run of some minutes would help.");
+    made_up.result.reason = remark::no_sensor_changes({remark::sensor_of_run("bulk", "run1")});
+    EXPECT_EQ(reason_of(made_up.record()), "These data do not allow a diagnosis: no sensor changes (bulk of run1).");
 }
 
 // The gauge gains a tenth, 10 of 100 kPa; the surface gains half, 0.5 of 1 K: a share is the same in every unit.
@@ -192,10 +191,10 @@ TEST(DiagnosisReport, TheRemainingErrorIsThatOfTheChannelThatIsMostStandardDevia
 
 TEST(DiagnosisReport, AStoppedDiagnosisSaysAfterHowLongAndWhatIsBest) {
     MadeUp made_up = sample::cannot_tell();
-    made_up.result.stopped = "search of causes";
-    made_up.result.reason = "Best so far, not fitted: inner_gas, sensor_lag.";
+    made_up.result.stopped = Part::causes;
+    made_up.result.reason = remark::best_so_far("inner_gas, sensor_lag");
     made_up.result.seconds = 1500.0;
-    made_up.result.stopped_at = {.doing = "candidate", .of = "rim_conduction", .number = 3, .count = 14};
+    made_up.result.stopped_at = {.doing = Work::candidate, .of = "rim_conduction", .number = 3, .count = 14};
     made_up.result.rest_of_stage = 800.0;
     EXPECT_EQ(reason_of(made_up.record()),
               "No answer after 1500 s: stopped during the search of causes, at candidate 3 of 14 (rim_conduction). "

@@ -63,7 +63,7 @@ TEST(RunVerdictsReport, WhatOnlySomeShowIsSaidOfThem) {
 // A run that could not be judged is no witness; one that is left has nobody to agree with.
 TEST(RunVerdictsReport, RunsThatWereNotJudgedAreNotCompared) {
     RunVerdict poor{.name = "run1", .verdict = Verdict::cannot_tell};
-    RunVerdict late{.name = "run1", .verdict = Verdict::consistent, .stopped = "search of causes"};
+    RunVerdict late{.name = "run1", .verdict = Verdict::consistent, .stopped = Part::causes};
     EXPECT_EQ(said({poor, shows("run2", {{lag}}), shows("run3", {{lag}})}),
               "All runs agree on sensor_lag of bulk_temperature.");
     EXPECT_EQ(said({late, shows("run2", {{lag}})}), "");
@@ -103,7 +103,7 @@ TEST(RunVerdictsReport, ThePageHasARowForEachCauseAndTheDataAllOfThem) {
 TEST(RunVerdictsReport, WhatWasLeftOutIsSaid) {
     MadeUp made_up = sample::named();
     EXPECT_EQ(page_text(diagnosis_report(made_up.record(), {}), false).find("Each run alone"), std::string::npos);
-    made_up.by_run.left_out = "Stopped after 2 of 3 runs.";
+    made_up.by_run.left_out = LeftOutRuns::stopped_after;
     EXPECT_NE(page_text(diagnosis_report(made_up.record(), {}), false).find("Stopped after 2 of 3 runs."),
               std::string::npos);
 }
