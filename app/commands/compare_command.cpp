@@ -67,9 +67,13 @@ int compare(const MeasuredCall& call) {
     comparison.grid_left_out = left_out;
     comparison.warnings = reading->warnings;
     comparison.findings = reading->data_warnings;
+    std::vector<post::DrivenRun> driven;
+    for (const auto& run : reading->experiment->runs) {
+        driven.push_back({run.name, &run.problem});
+    }
     const auto page = write_measured_page(
         call, *folder, names, "compare",
-        [&](const std::filesystem::path& stage) { return post::write_comparison(comparison, stage); },
+        [&](const std::filesystem::path& stage) { return post::write_comparison(comparison, driven, stage); },
         [&](const auto& files) { return post::comparison_report(comparison, files); });
     if (!page) {
         return Exit::input_error;
@@ -93,7 +97,7 @@ void add_compare_command(CLI::App& program, int& exit_code) {
         "compare_statistics.csv (a row for each figure); of laps and of a car's tires laps.csv (measured and simulated "
         "mean,\n"
         "maximum and end of each sensor in each lap) and heat.csv (friction power and heat); of cameras "
-        "compare_pixels.csv (a row for each pixel).\n"
+        "compare_pixels.csv (a row for each pixel); of a car inputs.csv (loads, slips and forces of each tire).\n"
         "Charts as pictures, the frames of a camera among them: tiretherm report DIR --png\n\n"
         "The files appear together at the end.\n\n"
         "Exit code: 0 done, however far apart; 1 an error in the call, the case or the data; 2 the solver failed;\n"

@@ -24,6 +24,11 @@ bool find_samples(const RunTable& run, RunFile& file, InputErrors& errors) {
     std::optional<double> from = run.from;
     std::optional<double> to = run.to;
     file.laps = find_laps(file.file, time, run.start_line, run.laps.has_value(), errors);
+    if (file.laps.nearest && !run.laps) {
+        const SourceLocation of_file{.file = file.file.number()};
+        errors.warn(run.start_line ? run.start_line_place : of_file, "{}: {}", never_crossed(*file.laps.nearest),
+                    line_remedy);
+    }
     if (run.laps) {
         LapChoice choice = choose_laps(run.laps->text, file.laps);
         if (!choice.window) {

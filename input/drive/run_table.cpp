@@ -40,6 +40,7 @@ void read_start_line(TomlTable& table, RunTable& run) {
                         "start_line = [[51.2077, -1.6089], [51.2078, -1.6086]]");
         return;
     }
+    run.start_line_place = table.place("start_line");
     run.start_line = StartLine{
         .latitude_a = degrees[0], .longitude_a = degrees[1], .latitude_b = degrees[2], .longitude_b = degrees[3]};
 }

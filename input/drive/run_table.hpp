@@ -94,6 +94,7 @@ struct RunTable {
     std::optional<LocatedString> laps{};    ///< in the place of from and to
     int repeat_first_lap = 0;               ///< so many times the first of the laps goes before
     std::optional<StartLine> start_line{};  ///< where laps begin
+    SourceLocation start_line_place{};
     std::vector<FramesOfRun> frames{};
 };
 

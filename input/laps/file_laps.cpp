@@ -115,7 +115,11 @@ Laps find_laps(const DataFile& file, const std::vector<double>& time, const std:
         if (across) {
             found.laps = laps_between(crossings_of(positions, *across), time.front(), time.back());
         }
-        return found.laps.empty() ? Laps{} : found;
+        if (found.laps.empty()) {
+            found = {};
+            found.nearest = across ? std::optional(nearest_to(positions, *across)) : std::nullopt;
+        }
+        return found;
     };
     if (line) {
         const std::optional<Positions> positions = read_positions(file, time, errors);

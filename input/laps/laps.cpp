@@ -116,11 +116,20 @@ std::vector<Lap> laps_by_counter(const std::vector<double>& time, const std::vec
     return laps.size() > 1 ? laps : std::vector<Lap>{};
 }
 
+std::string never_crossed(double nearest) {
+    return fmt::format("the car never crosses the start line, and comes no nearer to it than {:.3g} {}",
+                       nearest < 1000.0 ? nearest : 1e-3 * nearest, nearest < 1000.0 ? "m" : "km");
+}
+
 LapChoice choose_laps(const std::string& text, const Laps& laps) {
     const std::optional<std::vector<Range>> ranges = read_ranges(text);
     if (!ranges) {
         return {.error = fmt::format("laps is \"{}\"; numbers of laps are wanted", text),
                 .remedy = "write laps = \"2\", \"3-9\" or \"2, 4-6\""};
+    }
+    if (laps.laps.empty() && laps.nearest) {
+        return {.error = fmt::format("no laps are known of the file: {}", never_crossed(*laps.nearest)),
+                .remedy = std::string(line_remedy)};
     }
     if (laps.laps.empty()) {
         return {.error = "no laps are known of the file: it has no marks between laps and no column that counts them",

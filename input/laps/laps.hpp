@@ -32,6 +32,7 @@ struct Laps {
     LapSource source = LapSource::none;
     std::string column{};  ///< that counts
     std::vector<Lap> laps{};
+    std::optional<double> nearest{};  ///< m, how near the car came to a start line that it never crossed
 };
 
 /// Laps between marks. Marks at the recording's ends are no crossings. Within half a second of each other they are one.
@@ -58,6 +59,11 @@ struct LapChoice {
     std::string remedy{};
 };
 [[nodiscard]] LapChoice choose_laps(const std::string& text, const Laps& laps);
+
+/// "the car never crosses the start line, and comes no nearer to it than 350 m", and what to do about it.
+[[nodiscard]] std::string never_crossed(double nearest);
+inline constexpr std::string_view line_remedy =
+    "write the ends of the line on either side of the track, latitude before longitude, west and south negative";
 
 /// 121.006 s is "2:01.006".
 [[nodiscard]] std::string lap_time(double seconds);

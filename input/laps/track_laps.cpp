@@ -113,6 +113,21 @@ StartLine square_to(const Point& way, const Point& through, const Plane& plane) 
 
 }  // namespace
 
+double nearest_to(const Positions& positions, const StartLine& line) {
+    const Plane plane(line.latitude_a, line.longitude_a);
+    const Point end = plane.of(line.latitude_b, line.longitude_b);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < positions.time.size(); ++i) {
+        if (is_known(positions, i)) {
+            const Point here = plane.of(positions.latitude[i], positions.longitude[i]);
+            const double place = (here.x * end.x + here.y * end.y) / (end.x * end.x + end.y * end.y);
+            const Point away = here - std::clamp(place, 0.0, 1.0) * end;
+            nearest = std::min(nearest, std::hypot(away.x, away.y));
+        }
+    }
+    return nearest;
+}
+
 StartLine line_across(const Positions& positions, const StartLine& line) {
     constexpr double along_it = 0.866;  // cosine of 30 degrees
     constexpr double least_way = 0.5;   // m between samples of a car that moves

@@ -21,6 +21,9 @@ struct Positions {
 /// @returns s, ascending
 [[nodiscard]] std::vector<double> crossings_of(const Positions& positions, const StartLine& line);
 
+/// How near the car comes to the line. @returns m; infinite where its way is not known
+[[nodiscard]] double nearest_to(const Positions& positions, const StartLine& line);
+
 /// A line as it is meant: some loggers write the way over the line in the place of the line. Where the car passes it along rather than across, within
 /// 30 degrees, it is the line of 40 m at its middle across the car's way.
 [[nodiscard]] StartLine line_across(const Positions& positions, const StartLine& line);

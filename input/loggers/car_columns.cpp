@@ -157,7 +157,8 @@ std::vector<CarColumn> car_columns(const Heading& heading) {
 
 bool names_an_axis(std::string_view heading) {
     const Words words = words_of(heading);
-    return has_any(words, column_words::axis_x) || has_any(words, column_words::axis_y);
+    return has_any(words, column_words::axis_x) || has_any(words, column_words::axis_y) ||
+           has_any(words, column_words::axis_z);
 }
 
 bool is_motion(std::string_view name) {

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "input/columns/column_course.hpp"
 #include "input/loggers/car_columns.hpp"
 #include "input/vehicle/at_times.hpp"
 #include "physics/vehicle/local_mean.hpp"
+#include "physics/vehicle/vehicle.hpp"
 
 namespace tiretherm::input {
 
@@ -23,6 +25,14 @@ void settle_axes(Log& log, const VehicleLog& of_car) {
         });
         return found == log.columns.end() ? nullptr : &*found;
     };
+    if (LogColumn* z = find("vertical_acceleration")) {
+        constexpr double near = 0.2;  // g
+        const std::vector<double>& value = of_car.vertical_acceleration.value;
+        const double mean = std::accumulate(value.begin(), value.end(), 0.0) / static_cast<double>(value.size());
+        if (!(std::abs(std::abs(mean) / physics::standard_gravity - 1.0) < near)) {
+            z->drop("its mean is not that of gravity: whether it points upwards is not known");
+        }
+    }
     LogColumn* x = find("longitudinal_acceleration");
     LogColumn* y = find("lateral_acceleration");
     const auto follows = [&](const LogColumn* column) {

@@ -9,7 +9,7 @@ namespace tiretherm::input::schema {
 std::vector<TableKeys> vehicle_tables() {
     return {
         {"vehicle", TableForm::table,
-         "The car whose log drives the tire: loads, forces and slips of the wheel `corner` follow from its speed, accelerations and yaw rate ([vehicle.md](vehicle.md)). The log's columns are `speed`, `lateral_acceleration`, `longitudinal_acceleration`, `yaw_rate`, `steering_wheel_angle` and `brake_pressure`. What the case or a log gives as an input of the tire wins over what would be computed. A `[run.vehicle]` changes keys for one run.", {
+         "The car whose log drives the tire: loads, forces and slips of the wheel `corner` follow from its speed, accelerations and yaw rate ([vehicle.md](vehicle.md)). The log's columns are `speed`, `lateral_acceleration`, `longitudinal_acceleration`, `yaw_rate`, `steering_wheel_angle`, `brake_pressure`, and of roads that are not level `vertical_acceleration` or `bank` and `slope`. What the case or a log gives as an input of the tire wins over what would be computed. A `[run.vehicle]` changes keys for one run.", {
             choice("corner", {physics::corner_names.begin(), physics::corner_names.end()}, "Which wheel the case's tire is.").required(),
             quantity("mass", {.unit = "kg", .low = 0.0, .high = 1e5, .above = true, .usual_low = 150.0, .usual_high = 4e4}, "Of the car as it was driven, with driver and fuel.").required(),
             quantity("wheelbase", {.unit = "m", .low = 0.0, .high = 20.0, .above = true, .usual_low = 1.2, .usual_high = 7.0}, "Distance of the axles.").required(),
@@ -47,6 +47,10 @@ std::vector<TableKeys> vehicle_tables() {
             choice("lateral_acceleration_sign", {"left", "right", "automatic"}, "In which turn the column is positive; `automatic`: as the yaw rate says, without one as a GPS heading or positions say, and without these `left` (ISO 8855). Default: `automatic`."),
             choice("yaw_rate_sign", {"left", "right", "automatic"}, "In which turn the column is positive; `automatic`: as a GPS heading or positions in the file say, and without them `left` (ISO 8855). Default: `automatic`."),
             choice("steering_sign", {"left", "right", "automatic"}, "To which side the column is positive; `automatic` is `left` (ISO 8855). Default: `automatic`."),
+            quantity("bank", {.unit = "radian", .low = -1.2, .high = 1.2, .usual_low = -0.7, .usual_high = 0.7}, "Of the road across the car, where the log has no column `bank`; positive where it helps in left turns. Default: 0."),
+            quantity("slope", {.unit = "radian", .low = -0.6, .high = 0.6, .usual_low = -0.25, .usual_high = 0.25}, "Of the road along the car, where the log has no column `slope`; positive uphill. Default: 0."),
+            choice("bank_sign", {"left", "right", "automatic"}, "In which turns the column `bank` is positive where the bank helps; `automatic`: in those that the log shows, without them `left`. Default: `automatic`."),
+            flag("vertical_acceleration_has_gravity", "Whether the column contains gravity: about 1 g where the car goes straight, otherwise about 0. Default: as the column shows."),
         }},
     };
 }

@@ -94,6 +94,9 @@ std::string why_dead(const VehicleSignal& signal, const solver::SignalHistory& h
                    ? fmt::format("{} while the car brakes", stands)
                    : "";
     }
+    if (is_constant && (signal.name == "bank" || signal.name == "slope")) {
+        return {};  // roads are like that
+    }
     if (is_constant) {
         return fmt::format("{} while the car moves", stands);
     }

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "input/columns/column_course.hpp"
+
 namespace tiretherm::input {
 
 std::string_view turns(TurnSign sign) { return sign == TurnSign::right ? "right" : "left"; }
@@ -36,6 +38,28 @@ Settled settle_sign(std::string_view name, TurnSign stated, double r, const Witn
                 : fmt::format("{}, positive in {} turns, and {} contradict each other (r = {:.2f}): one of {}_sign and "
                               "steering_sign is wrong",
                               name, turns(taken), beside.told.name, -std::abs(r), name)};
+}
+
+std::optional<ErrorText> wrong_size(std::string_view name, const std::vector<double>& acceleration,
+                                    const std::vector<double>& expected, std::string_view what, double least) {
+    constexpr double alike = 0.8;  // correlation from which the ratio means something
+    constexpr double most = 2.0;
+    double products = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        products += acceleration[i] * expected[i];
+        squares += expected[i] * expected[i];
+    }
+    const double ratio = squares > 0.0 ? std::abs(products / squares) : 1.0;
+    if (std::abs(correlation(acceleration, expected)) < alike || (ratio < most && ratio > least)) {
+        return std::nullopt;
+    }
+    return ErrorText{
+        .what = fmt::format("{} is {:.3g} times {}", name, ratio, what),
+        .remedy = fmt::format(
+            "correct the unit of the column, as in units = {{ COLUMN = \"g\" }}, or that of {}: a g is 9.81 m/s2",
+            what),
+        .about = std::string(name)};
 }
 
 }  // namespace tiretherm::input

@@ -32,4 +32,10 @@ struct Settled {
 /// @param stated automatic: not  @param r correlation of the signal as logged with the witness, far from 0
 [[nodiscard]] Settled settle_sign(std::string_view name, TurnSign stated, double r, const Witness& beside);
 
+/// What is wrong with an acceleration that goes along with another one, but is not as large.
+/// @param least share of the other that is possible; twice as much is the most
+[[nodiscard]] std::optional<ErrorText> wrong_size(std::string_view name, const std::vector<double>& acceleration,
+                                                  const std::vector<double>& expected, std::string_view what,
+                                                  double least);
+
 }  // namespace tiretherm::input

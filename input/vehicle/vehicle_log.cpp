@@ -18,7 +18,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr std::array<VehicleSignal, 5> table{{
+constexpr std::array<VehicleSignal, 8> table{{
     {"longitudinal_acceleration", &VehicleLog::longitudinal_acceleration, "m s-2", "m/s2", "g", -80.0, 80.0,
      "positive when the car speeds up"},
     {"lateral_acceleration", &VehicleLog::lateral_acceleration, "m s-2", "m/s2", "g", -80.0, 80.0,
@@ -29,6 +29,11 @@ constexpr std::array<VehicleSignal, 5> table{{
      "positive to the left, or as steering_sign says"},
     {"brake_pressure", &VehicleLog::brake_pressure, "", "", "", 0.0, 0.0, "in any unit, 0 when the brakes are released",
      true},
+    {"vertical_acceleration", &VehicleLog::vertical_acceleration, "m s-2", "m/s2", "g", -80.0, 80.0,
+     "along the car's own vertical axis, with gravity or without"},
+    {"bank", &VehicleLog::bank, "rad", "rad", "deg", -1.2, 1.2,
+     "of the road across the car, positive where it helps in left turns, or as bank_sign says"},
+    {"slope", &VehicleLog::slope, "rad", "rad", "deg", -0.6, 0.6, "of the road along the car, positive uphill"},
 }};
 
 /// Takes away samples that no car has, where they are so few that the sensor was knocked or a byte was lost.
@@ -143,7 +148,9 @@ solver::SignalHistory speed_of(const solver::InputSignals& inputs) {
 
 std::span<const VehicleSignal> vehicle_signals() { return table; }
 
-bool is_along_the_car(std::string_view name) { return name == "longitudinal_acceleration" || name == "brake_pressure"; }
+bool is_along_the_car(std::string_view name) {
+    return name != "lateral_acceleration" && name != "yaw_rate" && name != "steering_wheel_angle";
+}
 
 void add_vehicle_columns(const TomlValue& document, std::vector<std::string>& names) {
     for (const VehicleSignal& signal : table) {

@@ -27,14 +27,14 @@ struct VehicleSignal {
     bool may_heat = false;  ///< it tells of the tire's heat, too: a motion that [vehicle] has used up is no news
 };
 
-/// longitudinal_acceleration, lateral_acceleration, yaw_rate, steering_wheel_angle, brake_pressure.
+/// Accelerations, yaw rate, steering, brakes, and the road's bank and slope.
 [[nodiscard]] std::span<const VehicleSignal> vehicle_signals();
 
 /// Adds their names where the case has [vehicle]: columns of its files are read like those that user effects follow.
 /// @param names each once
 void add_vehicle_columns(const TomlValue& document, std::vector<std::string>& names);
 [[nodiscard]] bool is_vehicle_signal(std::string_view name);
-/// Whether a signal tells how the car speeds up and brakes, and not how it turns.
+/// Whether a signal does not tell how the car turns.
 [[nodiscard]] bool is_along_the_car(std::string_view name);
 /// Whether [vehicle] takes up all that a column of this name says.
 [[nodiscard]] bool is_used_up_by_vehicle(std::string_view name);
@@ -47,6 +47,9 @@ struct VehicleLog {
     solver::SignalHistory yaw_rate;                   ///< rad/s, sign as logged
     solver::SignalHistory steering_wheel_angle;       ///< rad, sign as logged
     solver::SignalHistory brake_pressure;             ///< any unit
+    solver::SignalHistory vertical_acceleration;      ///< m/s2, as logged
+    solver::SignalHistory bank;                       ///< rad, sign as logged
+    solver::SignalHistory slope;                      ///< rad, positive uphill
     CourseOverGround course{};                        ///< where the car is not slow, without jumps by a whole turn
     bool speed_is_brought_back = false;               ///< [effects.input_delay] says by how much the speed is late
     std::vector<ErrorText> remarks{};                 ///< which channels say nothing, a sentence each

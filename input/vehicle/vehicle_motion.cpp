@@ -47,6 +47,7 @@ struct Reader {
     Values yaw{};
     Values lateral{};
     Values longitudinal{};
+    Road road{};
 
     void say(std::string sentence) { out.sources.push_back(std::move(sentence)); }
 
@@ -83,6 +84,7 @@ struct Reader {
     bool read_lateral();
     bool agree_in_size(std::string_view name, const Values& acceleration, const Values& expected,
                        std::string_view what);
+    [[nodiscard]] Values of_turn() const { return road.for_tires(speed_times(yaw)); }  ///< V r less what a bank gives
     bool read_longitudinal();
 };
 
@@ -203,26 +205,13 @@ bool Reader::read_steering() {
 /// @returns false after an error: an acceleration is not as large as another signal says
 bool Reader::agree_in_size(std::string_view name, const Values& acceleration, const Values& expected,
                            std::string_view what) {
-    constexpr double alike = 0.8;  // correlation from which the ratio means something
-    constexpr double most = 2.0;
-    double products = 0.0;
-    double squares = 0.0;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        products += acceleration[i] * expected[i];
-        squares += expected[i] * expected[i];
+    // On a bank that nobody wrote down an accelerometer reads less than the turn; a wrong unit is a tenth, or ten times.
+    const bool may_be_less = !log.vertical_acceleration.time.empty() && name == "lateral_acceleration";
+    const std::optional<ErrorText> wrong = wrong_size(name, acceleration, expected, what, may_be_less ? 0.15 : 0.5);
+    if (wrong) {
+        errors.add(settings.place, *wrong);
     }
-    const double ratio = squares > 0.0 ? std::abs(products / squares) : 1.0;
-    if (std::abs(correlation(acceleration, expected)) < alike || (ratio < most && ratio > 1.0 / most)) {
-        return true;
-    }
-    errors.add(
-        settings.place,
-        {.what = fmt::format("{} is {:.3g} times {}", name, ratio, what),
-         .remedy = fmt::format(
-             "correct the unit of the column, as in units = {{ COLUMN = \"g\" }}, or that of {}: a g is 9.81 m/s2",
-             what),
-         .about = std::string(name)});
-    return false;
+    return !wrong;
 }
 
 /// Whether one of two signals that tell the same is late beside the other; says so.
@@ -239,6 +228,7 @@ bool Reader::clocks_differ(const Told& one, Told other, bool may_be_turned) {
 }
 
 bool Reader::read_lateral() {
+    road = road_of(settings, log, {out.time, speed, yaw.empty() ? turned : yaw}, out.sources);
     const solver::SignalHistory& logged = log.lateral_acceleration;
     if (logged.time.empty()) {
         if (yaw.empty()) {
@@ -248,7 +238,7 @@ bool Reader::read_lateral() {
                 "rename one: columns = { AccY = \"lateral_acceleration\" }");
             return false;
         }
-        lateral = speed_times(yaw);
+        lateral = of_turn();
         if (!log.yaw_rate.time.empty()) {
             say("lateral acceleration is speed times yaw_rate: the change of the sideslip angle is neglected");
         }
@@ -257,10 +247,10 @@ bool Reader::read_lateral() {
     TurnSign sign = settings.lateral_acceleration;
     lateral = smooth(logged, TurnSign::left, "lateral_acceleration", physics::standard_gravity, "g");
     if (!yaw.empty()) {
-        const double r = correlation(lateral, speed_times(yaw));
-        const bool is_late =
-            clocks_differ({"lateral_acceleration", lateral}, {"speed times yaw_rate", speed_times(yaw)}, true);
-        if (!is_late && !agree_in_size("lateral_acceleration", lateral, speed_times(yaw), "speed times yaw_rate")) {
+        const Values turn = of_turn();
+        const double r = correlation(lateral, turn);
+        const bool is_late = clocks_differ({"lateral_acceleration", lateral}, {"speed times yaw_rate", turn}, true);
+        if (!is_late && !agree_in_size("lateral_acceleration", lateral, turn, "speed times yaw_rate")) {
             return false;
         }
         const TurnSign seen = r < 0.0 ? TurnSign::right : TurnSign::left;
@@ -291,9 +281,9 @@ bool Reader::read_lateral() {
     }
     turn_round(lateral, sign);
     if (yaw.empty()) {
-        yaw.resize(lateral.size());
+        yaw = road.of_tires(lateral);
         for (std::size_t i = 0; i < yaw.size(); ++i) {
-            yaw[i] = std::abs(speed[i]) < slowest ? 0.0 : lateral[i] / speed[i];
+            yaw[i] = std::abs(speed[i]) < slowest ? 0.0 : yaw[i] / speed[i];
         }
         say("yaw rate is lateral_acceleration over speed");
     }
@@ -301,7 +291,8 @@ bool Reader::read_lateral() {
 }
 
 bool Reader::read_longitudinal() {
-    const Values slope = physics::local_slope(out.time, speed, std::max(slope_of_speed, settings.smoothing));
+    const double window = std::max(slope_of_speed, settings.smoothing);
+    const Values slope = road.uphill(physics::local_slope(out.time, speed, window));
     if (log.longitudinal_acceleration.time.empty()) {
         longitudinal = slope;
         say(fmt::format("longitudinal acceleration is the slope of speed over {:.3g} s",
@@ -350,9 +341,13 @@ std::optional<MotionHistory> read_motion(const VehicleSettings& settings, const 
     if (!reader.read_yaw_rate() || !reader.read_lateral() || !reader.read_longitudinal()) {
         return std::nullopt;
     }
+    const std::optional<Values> vertical =
+        vertical_motion(settings, log, {reader.out.time, reader.lateral, reader.road}, reader.out.sources, errors);
+    if (!vertical) {
+        return std::nullopt;
+    }
     const bool turns_are_known = !log.yaw_rate.time.empty();  // a slope of the course is too rough for another one
-    const Values yaw_acceleration =
-        physics::local_slope(reader.out.time, reader.yaw, std::max(settings.smoothing, 0.1));
+    const auto yaw_acceleration = physics::local_slope(reader.out.time, reader.yaw, std::max(settings.smoothing, 0.1));
     if (!turns_are_known) {
         reader.say("without yaw_rate the moment that turns the car about its vertical axis is neglected");
     }
@@ -362,12 +357,14 @@ std::optional<MotionHistory> read_motion(const VehicleSettings& settings, const 
         reader.say("where brake_pressure is below 2 % of its highest value, the driven wheels slow the car down");
     }
     for (std::size_t i = 0; i < reader.out.time.size(); ++i) {
-        reader.out.motion.push_back({.speed = reader.speed[i],
-                                     .longitudinal_acceleration = reader.longitudinal[i],
-                                     .lateral_acceleration = reader.lateral[i],
-                                     .yaw_rate = reader.yaw[i],
-                                     .yaw_acceleration = turns_are_known ? yaw_acceleration[i] : 0.0,
-                                     .brakes_released = !brake.empty() && brake[i] <= pressed});
+        reader.out.motion.push_back(
+            {.speed = reader.speed[i],
+             .longitudinal_acceleration = reader.longitudinal[i],
+             .lateral_acceleration = reader.lateral[i],
+             .vertical_acceleration = vertical->empty() ? physics::standard_gravity : (*vertical)[i],
+             .yaw_rate = reader.yaw[i],
+             .yaw_acceleration = turns_are_known ? yaw_acceleration[i] : 0.0,
+             .brakes_released = !brake.empty() && brake[i] <= pressed});
     }
     return std::move(reader.out);
 }
@@ -378,11 +375,14 @@ solver::Digest::Value motion_origin(const VehicleSettings& settings, const Vehic
     solver::Digest digest;
     solver::add_fields(digest, log);
     const physics::Vehicle vehicle = vehicle_of(settings.numbers, settings.kind);
-    for (const double number : {settings.smoothing, settings.numbers[VehicleNumber::steering_ratio],
-                                vehicle.understeer_gradient(), vehicle.wheelbase()}) {
+    solver::add_fields(digest, settings.has_gravity);
+    for (const double number :
+         {settings.smoothing, settings.bank, settings.slope, settings.numbers[VehicleNumber::steering_ratio],
+          vehicle.understeer_gradient(), vehicle.wheelbase()}) {
         digest.add(number);
     }
-    for (const TurnSign sign : {settings.lateral_acceleration, settings.yaw_rate, settings.steering}) {
+    for (const TurnSign sign :
+         {settings.lateral_acceleration, settings.yaw_rate, settings.steering, settings.bank_sign}) {
         digest.add(sign);
     }
     return digest.value();

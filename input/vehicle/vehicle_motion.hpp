@@ -6,8 +6,45 @@
 
 #include "input/vehicle/vehicle_log.hpp"
 #include "input/vehicle/vehicle_settings.hpp"
+#include "physics/vehicle/wheel_loads.hpp"
 
 namespace tiretherm::input {
+
+/// The road under a car at the samples of its log.
+struct Road {
+    std::vector<physics::RoadPlane> planes{};  ///< [n]; empty: level
+    std::vector<double> along{};               ///< [n] m/s2 of gravity against a car that goes up, beside them
+
+    /// What a turn leaves for the tires, as an accelerometer reads it, and the reverse. @param turn [n] m/s2, V r
+    [[nodiscard]] std::vector<double> for_tires(std::vector<double> turn) const;
+    [[nodiscard]] std::vector<double> of_tires(std::vector<double> read) const;
+    /// What the tires push for a speed that changes so. @param rate [n] m/s2
+    [[nodiscard]] std::vector<double> uphill(std::vector<double> rate) const;
+};
+
+/// A car over time, as far as its road follows from it.
+struct CarOnRoad {
+    const std::vector<double>& time;   ///< [n] s
+    const std::vector<double>& speed;  ///< [n] m/s
+    const std::vector<double>& turns;  ///< [n] rad/s, positive to the left; empty: not known
+};
+
+/// From the columns bank and slope, or the constants of the case. @param said gets a sentence on the bank's sign
+[[nodiscard]] Road road_of(const VehicleSettings& settings, const VehicleLog& log, const CarOnRoad& car,
+                           std::vector<std::string>& said);
+
+/// What presses a car onto its road.
+struct CarOnPlane {
+    const std::vector<double>& time;     ///< [n] s
+    const std::vector<double>& lateral;  ///< [n] m/s2, as an accelerometer reads it
+    const Road& road;
+};
+
+/// a_z, from the column vertical_acceleration, or else from the road. Where the car goes straight, the column shows whether it
+/// contains gravity. @returns [n] m/s2, empty where the road is level as far as is known; nothing after an error
+[[nodiscard]] std::optional<std::vector<double>> vertical_motion(const VehicleSettings& settings, const VehicleLog& log,
+                                                                 const CarOnPlane& car, std::vector<std::string>& said,
+                                                                 InputErrors& errors);
 
 /// How a car moved, in the axes of ISO 8855.
 struct MotionHistory {

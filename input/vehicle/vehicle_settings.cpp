@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "input/text/quantity_specs.hpp"
-#include "input/vehicle/vehicle_tire.hpp"
 
 namespace tiretherm::input {
 
@@ -108,6 +107,7 @@ void read_signs(TomlTable& table, VehicleSettings& settings) {
     read("lateral_acceleration_sign", settings.lateral_acceleration);
     read("yaw_rate_sign", settings.yaw_rate);
     read("steering_sign", settings.steering);
+    read("bank_sign", settings.bank_sign);
 }
 
 }  // namespace
@@ -129,6 +129,9 @@ std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root, const std:
     take(table, VehicleNumber::brake_heat_capacity, settings.numbers);
     take(table, VehicleNumber::brake_cooling, settings.numbers);
     settings.smoothing = table.quantity("smoothing").value_or(settings.smoothing);
+    settings.bank = table.quantity("bank").value_or(0.0);
+    settings.slope = table.quantity("slope").value_or(0.0);
+    settings.has_gravity = table.flag("vertical_acceleration_has_gravity");
     read_signs(table, settings);
     return table.errors().count() == before ? std::optional(settings) : std::nullopt;
 }

@@ -22,6 +22,10 @@ struct VehicleSettings {
     TurnSign lateral_acceleration = TurnSign::automatic;
     TurnSign yaw_rate = TurnSign::automatic;
     TurnSign steering = TurnSign::automatic;
+    TurnSign bank_sign = TurnSign::automatic;
+    double bank = 0.0;                  ///< rad, where the log has none; positive: falls to the left
+    double slope = 0.0;                 ///< rad, where the log has none
+    std::optional<bool> has_gravity{};  ///< of the log's vertical acceleration; empty: as it says itself
     SourceLocation place{};
 
     /// Whether the tires of all axles have a longitudinal law.
@@ -36,5 +40,12 @@ struct VehicleSettings {
 /// @returns nothing after an error, all of which are reported, or without the table
 [[nodiscard]] std::optional<VehicleSettings> read_vehicle_settings(TomlTable& root,
                                                                    const std::optional<physics::MagicFormula>& law);
+
+/// Reads a number of the car.
+void take(TomlTable& table, VehicleNumber number, VehicleNumbers& into, Need need = Need::optional);
+
+/// Reads property_file, or the four stiffnesses and the friction; with neither it is the .tir of [tire].
+void read_vehicle_tires(TomlTable& table, const std::optional<physics::MagicFormula>& of_tire,
+                        VehicleSettings& settings);
 
 }  // namespace tiretherm::input

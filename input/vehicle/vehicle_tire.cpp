@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the tires of a car come from: [vehicle] itself, or the property file of [tire].
 
-#include "input/vehicle/vehicle_tire.hpp"
+#include "input/vehicle/vehicle_settings.hpp"
 
 #include <array>
 

@@ -67,14 +67,16 @@ struct Vehicle {
 /// @returns N/rad, >= 0
 [[nodiscard]] double cornering_stiffness_of(const VehicleTire& tire, double load, double static_load);
 
-/// How a car moves at one moment, in the axes of ISO 8855: x forwards, y to the left, z up.
+/// How a car moves at one moment, in the axes of ISO 8855 on the plane of the road: x forwards, y to the left, z up. Accelerations
+/// are what accelerometers in the car read, gravity apart from motion: forces of road and air over the mass.
 struct VehicleMotion {
-    double speed = 0.0;                      ///< m/s, of the centre of gravity
-    double longitudinal_acceleration = 0.0;  ///< m/s2, positive when it speeds up
-    double lateral_acceleration = 0.0;       ///< m/s2, positive in a left turn
-    double yaw_rate = 0.0;                   ///< rad/s, positive in a left turn
-    double yaw_acceleration = 0.0;           ///< rad/s2
-    bool brakes_released = false;            ///< a force against the motion then acts at the driven wheels
+    double speed = 0.0;                               ///< m/s, of the centre of gravity
+    double longitudinal_acceleration = 0.0;           ///< m/s2, positive when it speeds up, and uphill
+    double lateral_acceleration = 0.0;                ///< m/s2, positive in a left turn
+    double vertical_acceleration = standard_gravity;  ///< m/s2, g on a level road
+    double yaw_rate = 0.0;                            ///< rad/s, positive in a left turn
+    double yaw_acceleration = 0.0;                    ///< rad/s2
+    bool brakes_released = false;                     ///< a force against the motion then acts at the driven wheels
 };
 
 }  // namespace tiretherm::physics

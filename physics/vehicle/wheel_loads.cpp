@@ -15,8 +15,10 @@ constexpr std::size_t rear = 1;
 
 std::array<double, 2> axle_loads(const Vehicle& vehicle, const VehicleMotion& motion, double q, VehicleForces& out) {
     const double pitch = vehicle.mass * motion.longitudinal_acceleration * vehicle.cg_height / vehicle.wheelbase();
-    std::array<double, 2> load{vehicle.static_axle_load(front) - pitch + q * vehicle.axles[front].downforce_area,
-                               vehicle.static_axle_load(rear) + pitch + q * vehicle.axles[rear].downforce_area};
+    const double heavier = motion.vertical_acceleration / standard_gravity;
+    std::array<double, 2> load{
+        heavier * vehicle.static_axle_load(front) - pitch + q * vehicle.axles[front].downforce_area,
+        heavier * vehicle.static_axle_load(rear) + pitch + q * vehicle.axles[rear].downforce_area};
     const double total = std::max(0.0, load[front] + load[rear]);
     for (std::size_t i = 0; i < 2; ++i) {
         if (load[i] < 0.0) {
@@ -76,6 +78,12 @@ void share_longitudinal(const Vehicle& vehicle, const VehicleMotion& motion, dou
 }
 
 }  // namespace
+
+double RoadPlane::across() const { return gravity * std::sin(bank); }
+
+double RoadPlane::vertical_acceleration(double lateral_acceleration) const {
+    return gravity / std::cos(bank) + lateral_acceleration * std::tan(bank);
+}
 
 VehicleForces vehicle_forces(const Vehicle& vehicle, const VehicleMotion& motion) {
     VehicleForces out;

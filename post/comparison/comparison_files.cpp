@@ -90,11 +90,12 @@ std::string pixels_csv(const Comparison& comparison) {
 
 std::vector<std::string> comparison_names() {
     std::vector<std::string> names = page_names();
-    names.insert(names.end(), {"compare.csv", "compare_statistics.csv", laps_name, heat_name, "compare_pixels.csv"});
+    names.insert(names.end(),
+                 {"compare.csv", "compare_statistics.csv", laps_name, heat_name, inputs_name, "compare_pixels.csv"});
     return names;
 }
 
-std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
+std::vector<std::filesystem::path> write_comparison(const Comparison& comparison, const std::vector<DrivenRun>& driven,
                                                     const std::filesystem::path& directory) {
     create_folder(directory);
     std::vector<std::filesystem::path> files{directory / "compare.csv", directory / "compare_statistics.csv"};
@@ -108,6 +109,9 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
     }
     if (have_laps_or_corners(comparison.heat)) {
         add(heat_name, heat_csv(comparison.heat));
+    }
+    if (const std::string inputs = computed_inputs_csv(driven); !inputs.empty()) {
+        add(inputs_name, inputs);
     }
     if (!comparison.images.empty()) {
         files.push_back(directory / "compare_pixels.csv");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/compare/comparison.hpp"
+#include "post/laps/computed_inputs.hpp"
 #include "post/report/report.hpp"
 
 namespace tiretherm::post {
@@ -22,6 +23,7 @@ namespace tiretherm::post {
 /// compare_pixels.csv, a row for each pixel of each run.
 /// @errors FileError  @returns their paths
 [[nodiscard]] std::vector<std::filesystem::path> write_comparison(const diagnosis::Comparison& comparison,
+                                                                  const std::vector<DrivenRun>& driven,
                                                                   const std::filesystem::path& directory);
 
 /// Tables and sentences of all cameras. @param runs names  @param data of each camera, to be filled

@@ -69,7 +69,12 @@ void Hdf5Writer::write_mesh() {
                    : !mesh.is_section()                 ? "x, y and depth of each node"
                    : !mesh.is_ring()                    ? "arc length along the meridian, 0 and depth of each node"
                                      : "arc length along the meridian, arc around the tire and depth of each node"));
-    file_.write("/mesh/volume", mesh.volume, 0, label("m3", "volume of each node, 0 on a surface", "/mesh/centre"));
+    file_.write("/mesh/volume", mesh.volume, 0,
+                label("m3",
+                      mesh.is_section() ? "volume of each node, 0 on a surface: of the unrolled "
+                                          "meridian, some per cent more than the drawn ring"
+                                        : "volume of each node, 0 on a surface",
+                      "/mesh/centre"));
     file_.write("/mesh/layer", mesh.layer, 0, label("1", "layer of each node, counted from 0", "/mesh/centre"));
     file_.write("/mesh/layer_name", mesh.layers, label("1", "name of each layer, from the outside in"));
     if (!mesh.zones.empty()) {
@@ -108,6 +113,16 @@ void Hdf5Writer::add_columns() {
                    label(std::string(solver::unit_of(channel.quantity)).c_str(), meaning, "/channels/time")));
     }
 
+    file_.add_group("/inputs");
+    for (const physics::Signal& signal : physics::signals()) {
+        if (problem_.input_signals.gives(signal)) {
+            inputs_.push_back(&signal);
+            channels_.push_back(
+                column(fmt::format("/inputs/{}", signal.name), 0,
+                       label(std::string(signal.unit).c_str(), std::string(signal.meaning), "/channels/time")));
+        }
+    }
+
     file_.add_group("/heat_budget");
     file_.add_link("/ledger", "/heat_budget");  // its name before 0.3
     file_.add_attribute("/heat_budget", "symmetry", problem_.symmetry);
@@ -136,6 +151,10 @@ void Hdf5Writer::take(const solver::Snapshot& snapshot) {
     channels_[0].waiting.push_back(snapshot.time);
     for (std::size_t c = 0; c < snapshot.channels.size(); ++c) {
         channels_[c + 1].waiting.push_back(snapshot.channels[c]);
+    }
+    const physics::Inputs inputs = problem_.input_signals.at(snapshot.time, solver::JumpSide::before);
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+        channels_[snapshot.channels.size() + 1 + i].waiting.push_back(inputs.*inputs_[i]->member);
     }
     for (std::size_t e = 0; e < problem_.effects.size(); ++e) {
         heat_budget_[0].waiting.push_back(problem_.symmetry * snapshot.watts[e]);

@@ -16,6 +16,7 @@ namespace tiretherm::post {
 ///   /case      name, title, source (what to cite), tiretherm_version, file, text
 ///   /mesh      centre, volume, layer [n_nodes]; layer_name; point, corners [n_cells, corners of a cell]
 ///   /channels  time; one dataset a channel                                        [rows] K
+///   /inputs    one dataset an input that is given                                  [rows] SI
 ///   /heat_budget  effect; watts, joules [rows, n_effects]; stored [rows]: of the whole specimen
 ///   /field     time; temperature [n_times, n_nodes]: the cells first, then the nodes on the surfaces
 ///
@@ -48,9 +49,10 @@ private:
     std::string source_;
     std::filesystem::path path_;
     Hdf5File file_;
-    std::vector<Column> channels_;     ///< time, then the channels
-    std::vector<Column> heat_budget_;  ///< watts, joules, stored
-    std::vector<Column> field_;        ///< time, temperature
+    std::vector<Column> channels_;                ///< time, then the channels
+    std::vector<const physics::Signal*> inputs_;  ///< whose columns follow those of the channels
+    std::vector<Column> heat_budget_;             ///< watts, joules, stored
+    std::vector<Column> field_;                   ///< time, temperature
 };
 
 }  // namespace tiretherm::post

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "post/laps/computed_inputs.hpp"
 #include "post/laps/heat_by_lap.hpp"
 #include "post/report/file.hpp"
 #include "post/run/run_sections.hpp"
@@ -34,8 +35,8 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
 
 std::vector<std::string> RunFiles::names_in(const std::filesystem::path& directory) {
     std::vector<std::string> names = page_names();
-    names.insert(names.end(),
-                 {"hot_spots.csv", laps_name, heat_name, "picture.png", "tread.png"});  // version 0.2: *.png
+    names.insert(names.end(), {"hot_spots.csv", laps_name, heat_name, inputs_name, "picture.png",
+                               "tread.png"});  // version 0.2: *.png
     for (const OutputFormat* format : output_formats()) {
         const std::vector<std::string> more = format->names_in(directory);
         names.insert(names.end(), more.begin(), more.end());
@@ -64,6 +65,9 @@ void RunFiles::write_hot_spots(const diagnosis::HotSpots& hot_spots) {
 }
 
 void RunFiles::write_laps(const RunRecord& run) {
+    if (const std::string inputs = computed_inputs_csv({{run.run, &run.problem}}); !inputs.empty()) {
+        replace_file(tables_.emplace_back(directory_ / inputs_name), inputs);
+    }
     if (run.laps.size() > 1 && !run.problem.settings.steady) {
         replace_file(tables_.emplace_back(directory_ / laps_name), laps_csv(lap_rows(run)));
         replace_file(tables_.emplace_back(directory_ / heat_name), heat_csv({heat_of(run)}));

@@ -39,7 +39,7 @@ public:
     /// The courses of the hot spots as hot_spots.csv. @errors FileError
     void write_hot_spots(const diagnosis::HotSpots& hot_spots);
 
-    /// laps.csv and heat.csv of a run with laps. @errors FileError
+    /// laps.csv and heat.csv of a run with laps, inputs.csv of a tire of a car. @errors FileError
     void write_laps(const RunRecord& run);
 
     /// The files of the page, where they were not refused (--no-report). @errors FileError

@@ -96,7 +96,7 @@ const Effect rim_conduction{
         "disk: Cobb & Saunders, Proc. R. Soc. A 236, 1956, 343 (recalled)",
     .valid =
         "a rim of one temperature; bead conductance, capacity and cooling are orders of magnitude for a car wheel, to "
-        "be fitted; the disk: Re up to 7e5 (recalled)",
+        "be fitted; the disk: Re up to 7e5 (recalled), air at the mean of T_rim and T_air",
     .meaning =
         "Heat that leaves through the beads into the rim, which is a node of its own and slow. Where inner_gas is on, "
         "the gas meets this rim. On a mesh without beads it is taken from the inside, on two nodes from the bulk. "

@@ -373,7 +373,8 @@ const Effect strain_energy_loss{
         "pressure: SAE J2452 (exponent recalled)",
     .valid =
         "40 to 150 km/h, 3 to 8 kN and a bulk of 20 to 120 degC, where the thesis's law was compared with drums (8 to "
-        "30 % of error); the cold branch below -8 degC is a mirror image, not measured; pressures of 0.5 to 1.7 times "
+        "30 % of error); the cold branch below -8 degC is a mirror image, not measured, and a parabola rounds the peak "
+        "where it and the Gaussian meet, within 8 K of it; pressures of 0.5 to 1.7 times "
         "the reference; deflections below 40 % of the section's height",
     .meaning =
         "Heat of cyclic deformation, shared over the cells by mass and by the weights of layers, zones and the "

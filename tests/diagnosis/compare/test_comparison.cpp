@@ -143,7 +143,7 @@ TEST(Comparison, TheJsonSaysTheSameInKelvin) {
 TEST(Comparison, FilesHaveARowForEachSampleAndEachFigure) {
     const Idle idle;
     const std::vector<std::filesystem::path> files =
-        post::write_comparison(idle.comparison, idle.written.folder() / "out");
+        post::write_comparison(idle.comparison, {}, idle.written.folder() / "out");
     ASSERT_EQ(files.size(), 2u);
     const std::string samples = post::read_text(files[0]);
     EXPECT_EQ(std::count(samples.begin(), samples.end(), '\n'), 1 + 6 + 5);

@@ -33,6 +33,12 @@ TEST(CarColumns, AreFoundByTheNamesThatLoggersGive) {
              std::pair{"G Force Long", "longitudinal_acceleration"},
              std::pair{"InlineAcc", "longitudinal_acceleration"},
              std::pair{"LongAccel", "longitudinal_acceleration"},
+             std::pair{"G Force Vert", "vertical_acceleration"},
+             std::pair{"VertAcc", "vertical_acceleration"},
+             std::pair{"Vertical Acceleration", "vertical_acceleration"},
+             std::pair{"AccZ", "vertical_acceleration"},
+             std::pair{"accz", "vertical_acceleration"},
+             std::pair{"Acceleration Z", "vertical_acceleration"},
              std::pair{"Gyro Yaw Velocity", "yaw_rate"},
              std::pair{"YawRate", "yaw_rate"},
              std::pair{"ROTY", "yaw_rate"},
@@ -70,7 +76,7 @@ TEST(CarColumns, AreFoundByTheNamesThatLoggersGive) {
 TEST(CarColumns, WhatOnlySoundsAlikeIsLeftAlone) {
     for (const char* heading :
          {"Wheel Speed FL",   "Engine Speed",   "Speed Std Dev",   "Slip Speed",           "GPS Speed Accuracy",
-          "Yaw Acceleration", "G Force Vert",   "Steering Torque", "Steering Wheel Speed", "Brake Caliper Temp FL",
+          "Yaw Acceleration", "Wheel Acc Vert", "Steering Torque", "Steering Wheel Speed", "Brake Caliper Temp FL",
           "Brake Bias",       "Air Temp Inlet", "Intake Air Temp", "Tyre Target Temp FL",  "Rim Temp FL",
           "Damper Pos FL",    "Throttle",       "Engine RPM",      "Fuel Pressure",        "Tire Temp",
           "Oil Temp",         "Latitude",       "Longitude"}) {

@@ -101,6 +101,26 @@ TEST(Laps, ShowTheirTimeInMinutes) {
     EXPECT_EQ(lap_time(59.9996), "1:00.000");
 }
 
+// A line of 40 m whose middle lies 1/111.32 of a degree, 1 km, north of the circle's northernmost point at the least: how near the car came
+// is said. Across the way it is crossed, and nothing is.
+TEST(Track, ALineThatIsNeverCrossedSaysHowNearTheCarCame) {
+    const Positions positions = driven_circuit(110.0, 0.1);
+    const double north = *std::ranges::max_element(positions.latitude) + 1.0 / 111.32;
+    const auto at = static_cast<std::size_t>(std::ranges::max_element(positions.latitude) - positions.latitude.begin());
+    const StartLine line{.latitude_a = north,
+                         .longitude_a = positions.longitude[at] - 1e-4,
+                         .latitude_b = north,
+                         .longitude_b = positions.longitude[at] + 1e-4};
+    EXPECT_TRUE(crossings_of(positions, line).empty());
+    EXPECT_NEAR(nearest_to(positions, line), 1000.0, 0.5);
+    EXPECT_EQ(never_crossed(1000.4), "the car never crosses the start line, and comes no nearer to it than 1 km");
+    const LapChoice choice = choose_laps("1", {.nearest = 350.0});
+    EXPECT_EQ(
+        choice.error,
+        "no laps are known of the file: the car never crosses the start line, and comes no nearer to it than 350 m");
+    EXPECT_EQ(choice.remedy, line_remedy);
+}
+
 // The car goes round a circle; where the line is found, it is crossed once in each lap of 10 pi s, whatever the place. Between
 // samples 4 m apart a straight line differs from the circle by 10 mm at most, 0.3 ms at 40 m/s.
 TEST(Track, ClosesOnceALap) {
@@ -134,6 +154,22 @@ TEST(Track, ALineAlongTheWayIsPutAcross) {
     const StartLine again = line_across(positions, across);
     EXPECT_EQ(again.latitude_a, across.latitude_a);
     EXPECT_EQ(again.longitude_b, across.longitude_b);
+}
+
+// Without a choice of laps the run goes on, with a warning at the line: 0.003 degrees north of where the way ends are 334 m.
+TEST(Track, AStartLineThatIsNeverCrossedIsWarnedOf) {
+    const std::filesystem::path folder = source_folder() / "tests/bad_cases";
+    const Written written;
+    const ExperimentReading reading = read_experiment(written.add(
+        "case.toml", fmt::format("include = [\"{}\"]\n[[run]]\nfile = \"{}\"\n"
+                                 "start_line = [[48.004, 10.999], [48.004, 11.001]]\n",
+                                 (folder / "data/bench.inc").string(), (folder / "loggers/lap_far.csv").string())));
+    ASSERT_TRUE(reading.experiment);
+    EXPECT_TRUE(std::ranges::any_of(reading.warnings, [](const std::string& warning) {
+        return warning.find(
+                   "case.toml:4: the car never crosses the start line, and comes no nearer to it than 334 m: write "
+                   "the ends") != std::string::npos;
+    })) << fmt::format("{}", fmt::join(reading.warnings, "\n"));
 }
 
 // From the pits a car crosses the line the other way and turns; then it laps four times in 110 s.

@@ -336,6 +336,24 @@ TEST(NewCaseCar, AccelerationsByAxisAreTakenAsTheyFollowTheSpeed) {
               "it does not follow the slope of speed, nor does another axis: how the logger lies is not known");
 }
 
+// An axis that reads gravity points up or down; what a device calls Z may lie across the car as well.
+TEST(NewCaseCar, AnUprightAxisIsKnownByGravity) {
+    const Written written;
+    EXPECT_EQ(column_of(with_axes("AccX", "AccZ", 9.0, written), "AccZ").reason,
+              "its mean is not that of gravity: whether it points upwards is not known");
+    for (const double gravity : {1.0, -1.0}) {
+        const std::vector<Logged> channels{
+            {"GPS Speed [km/h]", [](double t) { return 108.0 + 32.4 * std::sin(t); }},
+            {"AccZ [g]", [=](double t) { return gravity + 0.1 * std::sin(31.0 * t); }},
+            {"YawRate [deg/s]", [](double t) { return 15.0 * std::sin(0.7 * t); }},
+            {"Tire Temp FL [C]", [](double t) { return 40.0 + 0.37 * t + 0.01 * std::sin(7.0 * t); }}};
+        written.add("log.csv", table(channels));
+        const NewCase made = make(written, "225/50 R17", "", "log.csv");
+        EXPECT_TRUE(made.errors.empty()) << errors_of(made, written);
+        EXPECT_EQ(column_of(made, "AccZ").name, "vertical_acceleration");
+    }
+}
+
 // Neither acceleration nor yaw rate nor steering: the heading tells the turns, and the case has a [vehicle]. Its template has both
 // signs. The tire's sensor says nothing for a second; the tire starts at what it says then.
 TEST(NewCaseCar, AHeadingMakesAVehicle) {

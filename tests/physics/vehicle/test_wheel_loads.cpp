@@ -2,6 +2,7 @@
 // Loads and forces of a car against numbers by hand, and the sums that hold at all times.
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -42,6 +43,22 @@ TEST(WheelLoads, SteadyLeftTurnOfOneG) {
     EXPECT_NEAR(forces.vertical[3], 4864.0984, 1e-4);
     EXPECT_NEAR(forces.lateral_of_axle[0], 5177.9112, 1e-4);
     EXPECT_NEAR(forces.lateral_of_axle[1], 6590.0688, 1e-4);
+}
+
+// A bank of 37 degrees under a car whose accelerometer reads 0.3 g to the inside: the turn has (0.3 + sin 37)/cos 37 = 1.12919 g,
+// and a_z = cos 37 + 1.12919 sin 37 = 1.47820 g. The wheels carry 1.47820 times the weight, less nothing: 17395.5 N.
+TEST(WheelLoads, ABankPressesTheCarDown) {
+    const RoadPlane oval{.bank = 37.0 / 180.0 * std::numbers::pi};
+    EXPECT_NEAR(oval.across() / gravity, 0.601815, 1e-6);
+    const double a_z = oval.vertical_acceleration(0.3 * gravity);
+    EXPECT_NEAR(a_z / gravity, 1.47820, 1e-5);
+    const VehicleForces forces = vehicle_forces(
+        round_car(), {.speed = 50.0, .lateral_acceleration = 0.3 * gravity, .vertical_acceleration = a_z});
+    EXPECT_NEAR(sum(forces.vertical), 17395.5, 0.5);
+    EXPECT_NEAR(forces.lateral_of_axle[0] + forces.lateral_of_axle[1], 0.3 * 1200.0 * gravity, 1e-6);
+    // Level, gravity alone; over a crest that takes 2 m/s2 of it.
+    EXPECT_EQ(RoadPlane{}.vertical_acceleration(5.0), gravity);
+    EXPECT_EQ(RoadPlane{.gravity = gravity - 2.0}.vertical_acceleration(5.0), gravity - 2.0);
 }
 
 TEST(WheelLoads, RollCentresTakeTheirPartPastTheSprings) {

@@ -6,10 +6,37 @@
 #include "input/tables/data_file.hpp"
 #include "physics/celsius.hpp"
 #include "post/fields/csv_writer.hpp"
+#include "post/laps/computed_inputs.hpp"
 #include "tests/post/sample.hpp"
 
 namespace tiretherm::post {
 namespace {
+
+/// Load and slip angle of a tire, as a car's model gives them.
+class OfACar final : public solver::InputModel {
+public:
+    void apply(std::span<const double> /*numbers*/, solver::InputSignals& /*into*/) const override {}
+    [[nodiscard]] std::vector<const physics::Signal*> signals() const override {
+        return {physics::find_signal("vertical_load"), physics::find_signal("slip_angle")};
+    }
+    void add_to(solver::Digest& /*digest*/) const override {}
+};
+
+// 0.1 rad are 5.729578 degrees, 20 m/s would be 72 km/h but are the log's own; the run ends at 1 s.
+TEST(Csv, InputsOfACarStandInATableOfTheirOwn) {
+    solver::Problem problem = sample::problem();
+    problem.settings.end = 1.0;
+    EXPECT_EQ(computed_inputs_csv({{"lap", &problem}}), "");
+    problem.input_model = std::make_shared<OfACar>();
+    const std::vector<double> time{0.0, 1.0, 2.0};
+    problem.input_signals.add({physics::find_signal("speed"), std::vector{0.0}, std::vector{20.0}});
+    problem.input_signals.add({physics::find_signal("vertical_load"), time, std::vector{1000.0, 2000.0, 3000.0}});
+    problem.input_signals.add({physics::find_signal("slip_angle"), time, std::vector{0.1, 0.2, 0.3}});
+    EXPECT_EQ(computed_inputs_csv({{"lap", &problem}}),
+              "time [s],run,vertical_load [N],slip_angle [\u00b0]\n"
+              "0,lap,1000,5.729578\n"
+              "1,lap,2000,11.45916\n");
+}
 
 TEST(Csv, RowsStandInDegreesCelsiusWithFourDecimals) {
     const sample::Scratch scratch;
