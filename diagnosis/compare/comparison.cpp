@@ -68,11 +68,14 @@ ComparedSeries Beside::series(const input::MeasuredSeries& measured) const {
     result.phase.reserve(n);
     std::ranges::for_each(result.regressor, [&](std::vector<double>& values) { values.reserve(n); });
     const bool forces = has_forces(run);
+    std::vector<std::size_t> known;  // samples
+    known.reserve(n);
     std::size_t at = 0;
     for (std::size_t i = 0; i < n; ++i) {
         if (std::isnan(measured.value[i])) {
             continue;
         }
+        known.push_back(i);
         const double t = run.time[i];
         while (times[at] < t) {
             ++at;
@@ -86,10 +89,9 @@ ComparedSeries Beside::series(const input::MeasuredSeries& measured) const {
         result.phase.push_back(phase_at(run.problem, t, inputs, forces));
         const SampleContext moment{
             .run = run, .sample = i, .inputs = inputs, .simulated = simulated, .is_temperature = is_temperature};
-        for (std::size_t r = 0; r < regressors.size(); ++r) {
-            result.regressor[r].push_back(regressors[r].value(moment));
-        }
+        add_values(regressors, moment, result.regressor);
     }
+    add_columns(regressors, index, known, result.regressor);
     return result;
 }
 

@@ -124,7 +124,7 @@ struct Comparison {
 /// @param finer the experiment on a grid of half the spacing, for the error of the grid; null: it is not looked at
 [[nodiscard]] Comparison compare(const input::Experiment& experiment, const std::string& name,
                                  const input::Experiment* finer = nullptr);
-/// The figures of a channel, from its series.
+/// The figures of a channel, from its series; values of the regressors are used up.
 /// @param regressors names and units, in the order of ComparedSeries::regressor
 /// @param laps [runs]
 void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string, std::string>>& regressors,

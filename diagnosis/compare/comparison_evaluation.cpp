@@ -3,7 +3,9 @@
 // association with each signal.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "diagnosis/compare/comparison.hpp"
@@ -20,39 +22,45 @@ Pieces differences_of(const ComparedChannel& channel) {
     return pieces;
 }
 
-/// Stretches of a series in one phase, each a piece of its own.
+/// Stretches of the series in one phase, each a piece of its own.
 std::vector<PhaseFigures> phases_of(const std::vector<const ComparedSeries*>& all) {
-    std::vector<PhaseFigures> result;
-    double whole = 0.0;
-    for (const Phase phase : phases) {
-        Pieces pieces;
+    struct Stretches {
+        Pieces pieces{};
         double time = 0.0;
-        for (const ComparedSeries* one : all) {
-            const ComparedSeries& series = *one;
-            const std::vector<double> difference = series.difference();
-            const auto interval = [&](std::size_t to) {  // from the sample before; a gap counts as nothing
-                const bool is_known = to > 0 && to < series.time.size() && !is_gap(series.time, to);
-                return is_known ? series.time[to] - series.time[to - 1] : 0.0;
-            };
-            for (std::size_t i = 0; i < series.time.size(); ++i) {
-                if (series.phase[i] != phase) {
-                    continue;
-                }
-                if (i == 0 || series.phase[i - 1] != phase) {
-                    pieces.emplace_back();
-                }
-                pieces.back().push_back(difference[i]);
-                // A sample stands for half the interval on either side.
-                time += 0.5 * (interval(i) + interval(i + 1));
+    };
+    std::array<Stretches, phases.size()> found;
+    for (const ComparedSeries* one : all) {
+        const ComparedSeries& series = *one;
+        const std::vector<double> difference = series.difference();
+        const auto interval = [&](std::size_t to) {  // from the sample before; a gap counts as nothing
+            const bool is_known = to > 0 && to < series.time.size() && !is_gap(series.time, to);
+            return is_known ? series.time[to] - series.time[to - 1] : 0.0;
+        };
+        double before = 0.0;
+        for (std::size_t i = 0; i < series.time.size(); ++i) {
+            Stretches& own =
+                found[static_cast<std::size_t>(std::ranges::find(phases, series.phase[i]) - phases.begin())];
+            if (i == 0 || series.phase[i - 1] != series.phase[i]) {
+                own.pieces.emplace_back();
             }
-        }
-        whole += time;
-        if (!pieces.empty()) {
-            result.push_back({.phase = phase, .share = time, .figures = figures(pieces)});
+            own.pieces.back().push_back(difference[i]);
+            // A sample stands for half the interval on either side.
+            const double after = interval(i + 1);
+            own.time += 0.5 * (before + after);
+            before = after;
         }
     }
-    for (PhaseFigures& phase : result) {
-        phase.share = whole > 0.0 ? phase.share / whole : 1.0;
+    double whole = 0.0;
+    for (const Stretches& one : found) {
+        whole += one.time;
+    }
+    std::vector<PhaseFigures> result;
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+        if (!found[p].pieces.empty()) {
+            result.push_back({.phase = phases[p],
+                              .share = whole > 0.0 ? found[p].time / whole : 1.0,
+                              .figures = figures(found[p].pieces)});
+        }
     }
     return result;
 }
@@ -100,27 +108,35 @@ std::vector<CornerFigures> corners_of(const ComparedChannel& channel) {
     return corners;
 }
 
-/// @param all differences of the channel  @param together of all of them, as `bins` takes it
-RegressorFigures against(const ComparedChannel& channel, std::size_t regressor, const Pieces& all, double together) {
-    Pieces values;
-    Pieces differences;
-    bool is_whole = true;
-    for (std::size_t s = 0; s < all.size(); ++s) {
-        const std::vector<double>& value = channel.series[s].regressor[regressor];
-        values.emplace_back();
-        differences.emplace_back();
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            if (!std::isnan(value[i])) {
-                values.back().push_back(value[i]);
-                differences.back().push_back(all[s][i]);
+/// Differences of a channel, and what is found of them once for all regressors.
+struct Differences {
+    Pieces all;
+    double together = correlated_samples(all);  ///< as `bins` takes it
+    Autocovariance covariance{all};
+};
+
+/// @param values of the regressor, beside all differences
+RegressorFigures against(Pieces values, Differences& differences) {
+    const auto is_missing = [](double value) { return std::isnan(value); };
+    if (std::ranges::none_of(values, [&](const auto& piece) { return std::ranges::any_of(piece, is_missing); })) {
+        return {.name = {},
+                .unit = {},
+                .association = association(values, differences.all, differences.covariance),
+                .bins = bins(values, differences.all, differences.together)};
+    }
+    Pieces known(values.size());
+    for (std::size_t s = 0; s < values.size(); ++s) {
+        for (std::size_t i = 0; i < values[s].size(); ++i) {
+            if (!is_missing(values[s][i])) {
+                known[s].push_back(differences.all[s][i]);
             }
         }
-        is_whole = is_whole && values.back().size() == value.size();
+        std::erase_if(values[s], is_missing);
     }
     return {.name = {},
             .unit = {},
-            .association = association(values, differences),
-            .bins = bins(values, differences, is_whole ? together : correlated_samples(differences))};
+            .association = association(values, known),
+            .bins = bins(values, known, correlated_samples(known))};
 }
 
 }  // namespace
@@ -160,9 +176,12 @@ void evaluate(ComparedChannel& channel, const std::vector<std::pair<std::string,
     channel.laps = laps_of(channel, laps);
     channel.corners = corners_of(channel);
     channel.common = common_biases(channel.corners);
-    const double together = correlated_samples(differences);
+    Differences of_all{.all = differences};
     for (std::size_t r = 0; r < regressors.size(); ++r) {
-        RegressorFigures found = against(channel, r, differences, together);
+        Pieces values;
+        std::ranges::transform(channel.series, std::back_inserter(values),
+                               [&](ComparedSeries& series) { return std::move(series.regressor[r]); });
+        RegressorFigures found = against(std::move(values), of_all);
         if (found.bins.size() > 1 && found.association.correlation != 0.0) {  // the signal varies
             std::tie(found.name, found.unit) = regressors[r];
             channel.regressors.push_back(std::move(found));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "physics/celsius.hpp"
@@ -35,11 +36,7 @@ Regressor unused(const input::Experiment& experiment, const std::string& name, c
         const auto found = std::ranges::find(run.unused, name, &input::UnusedSignal::name);
         of_runs.push_back(found == run.unused.end() ? solver::SharedSamples{} : found->value);
     }
-    const input::MeasuredRun* const first = experiment.runs.data();
-    return {.name = name, .unit = unit, .value = [of_runs, first](const SampleContext& moment) {
-                const solver::SharedSamples& values = of_runs[static_cast<std::size_t>(&moment.run - first)];
-                return values.empty() ? absent : values[moment.sample];
-            }};
+    return {.name = name, .unit = unit, .column = std::move(of_runs)};
 }
 
 }  // namespace
@@ -81,6 +78,26 @@ std::vector<Regressor> regressors_of(const input::Experiment& experiment) {
         }
     }
     return regressors;
+}
+
+void add_values(const std::vector<Regressor>& regressors, const SampleContext& moment,
+                std::vector<std::vector<double>>& into) {
+    for (std::size_t r = 0; r < regressors.size(); ++r) {
+        if (regressors[r].value) {
+            into[r].push_back(regressors[r].value(moment));
+        }
+    }
+}
+
+void add_columns(const std::vector<Regressor>& regressors, std::size_t run, std::span<const std::size_t> samples,
+                 std::vector<std::vector<double>>& into) {
+    for (std::size_t r = 0; r < regressors.size(); ++r) {
+        if (!regressors[r].value) {
+            const solver::SharedSamples& column = regressors[r].column[run];
+            std::ranges::transform(samples, std::back_inserter(into[r]),
+                                   [&](std::size_t i) { return column.empty() ? absent : column[i]; });
+        }
+    }
 }
 
 }  // namespace tiretherm::diagnosis

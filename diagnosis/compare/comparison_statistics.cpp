@@ -5,11 +5,14 @@
 #include "diagnosis/compare/comparison_statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
+
+#include "solver/order_statistics.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -35,12 +38,12 @@ double mean(const Pieces& pieces) {
     return sum / static_cast<double>(count(pieces));
 }
 
-/// Sum over all of (a - mean a)(b - mean b), `lag` samples apart.
-double joint(const Pieces& a, double mean_a, const Pieces& b, double mean_b, std::size_t lag) {
+/// Sum over all of (a - mean a)(b - mean b).
+double joint(const Pieces& a, double mean_a, const Pieces& b, double mean_b) {
     double sum = 0.0;
     for (std::size_t p = 0; p < a.size(); ++p) {
-        for (std::size_t i = lag; i < a[p].size(); ++i) {
-            sum += (a[p][i] - mean_a) * (b[p][i - lag] - mean_b);
+        for (std::size_t i = 0; i < a[p].size(); ++i) {
+            sum += (a[p][i] - mean_a) * (b[p][i] - mean_b);
         }
     }
     return sum;
@@ -71,17 +74,13 @@ Pieces coarse(const Pieces& pieces) {
 }
 
 /// 1 + 2 sum of the products of two autocorrelations, at least `least`.
-double sum_of_correlations(const Pieces& a, const Pieces* b) {
-    const double mean_a = mean(a);
-    const double mean_b = b == nullptr ? 0.0 : mean(*b);
-    const double scale = joint(a, mean_a, a, mean_a, 0) * (b == nullptr ? 1.0 : joint(*b, mean_b, *b, mean_b, 0));
+double sum_of_correlations(Autocovariance& a, Autocovariance* b) {
+    const double scale = a.at(0) * (b == nullptr ? 1.0 : b->at(0));
     if (!(scale > 0.0)) {
         return 1.0;
     }
-    const std::size_t longest = longest_of(a);
-    const auto at = [&](std::size_t lag) {
-        return joint(a, mean_a, a, mean_a, lag) * (b == nullptr ? 1.0 : joint(*b, mean_b, *b, mean_b, lag)) / scale;
-    };
+    const std::size_t longest = a.longest();
+    const auto at = [&](std::size_t lag) { return a.at(lag) * (b == nullptr ? 1.0 : b->at(lag)) / scale; };
     // Pairs of neighbouring lags are positive and fall for any stationary reversible process; noise ends the sum.
     double sum = -1.0;
     double before = std::numeric_limits<double>::infinity();
@@ -98,28 +97,50 @@ double sum_of_correlations(const Pieces& a, const Pieces* b) {
 
 }  // namespace
 
+Autocovariance::Autocovariance(const Pieces& pieces) : pieces_(coarse(pieces)), samples_(count(pieces_)) {
+    const double middle = mean(pieces_);
+    for (std::vector<double>& piece : pieces_) {
+        std::ranges::for_each(piece, [&](double& value) { value -= middle; });
+    }
+}
+
+double Autocovariance::at(std::size_t lag) {
+    constexpr std::size_t at_once = 4;  // sums that do not wait for one another
+    while (products_.size() <= lag) {
+        const std::size_t first = products_.size();
+        std::array<double, at_once> sums{};
+        for (const std::vector<double>& piece : pieces_) {
+            for (std::size_t i = first; i < std::min(first + at_once, piece.size()); ++i) {
+                for (std::size_t k = 0; k <= i - first; ++k) {
+                    sums[k] += piece[i] * piece[i - first - k];
+                }
+            }
+            for (std::size_t i = first + at_once; i < piece.size(); ++i) {
+                for (std::size_t k = 0; k < at_once; ++k) {
+                    sums[k] += piece[i] * piece[i - first - k];
+                }
+            }
+        }
+        products_.insert(products_.end(), sums.begin(), sums.end());
+    }
+    return products_[lag];
+}
+
+std::size_t Autocovariance::longest() const { return longest_of(pieces_); }
+
 double correlated_samples(const Pieces& a) {
     // Var(mean) is that of the coarse means, which hold all that is slow.
-    const Pieces groups = coarse(a);
+    Autocovariance groups(a);
     const double mean_a = mean(a);
-    const double mean_g = mean(groups);
     const auto n = static_cast<double>(count(a));
-    const auto n_groups = static_cast<double>(count(groups));
-    const double variance = joint(a, mean_a, a, mean_a, 0) / n;
-    const double group_variance = joint(groups, mean_g, groups, mean_g, 0) / n_groups;
+    const auto n_groups = static_cast<double>(groups.samples());
+    const double variance = joint(a, mean_a, a, mean_a) / n;
+    const double group_variance = groups.at(0) / n_groups;
     if (!(variance > 0.0)) {
         return 1.0;
     }
     const double of_mean = group_variance * sum_of_correlations(groups, nullptr) / n_groups;
     return std::clamp(n * of_mean / variance, 1.0, std::max(1.0, n));
-}
-
-double correlated_samples(const Pieces& a, const Pieces& b) {
-    const Pieces groups_a = coarse(a);
-    const Pieces groups_b = coarse(b);
-    const double group = static_cast<double>(count(a)) / static_cast<double>(std::max<std::size_t>(1, count(groups_a)));
-    return std::clamp(group * sum_of_correlations(groups_a, &groups_b), 1.0,
-                      std::max(1.0, static_cast<double>(count(a))));
 }
 
 Figures figures(const Pieces& differences) {
@@ -130,7 +151,7 @@ Figures figures(const Pieces& differences) {
     }
     const auto n = static_cast<double>(result.samples);
     result.bias = mean(differences);
-    const double about = joint(differences, result.bias, differences, result.bias, 0);
+    const double about = joint(differences, result.bias, differences, result.bias);
     result.rmse = std::sqrt(about / n + result.bias * result.bias);
     result.independent = n / correlated_samples(differences);
     result.bias_deviation = std::numeric_limits<double>::infinity();
@@ -193,47 +214,58 @@ ModelUncertainty model_uncertainty(const Figures& figures, std::span<const doubl
 }
 
 std::vector<Bin> bins(const Pieces& regressor, const Pieces& differences, double together) {
-    std::vector<std::pair<double, double>> samples;
+    constexpr std::size_t fifths = 5;
+    std::vector<double> all;
+    all.reserve(count(regressor));
+    for (const std::vector<double>& piece : regressor) {
+        all.insert(all.end(), piece.begin(), piece.end());
+    }
+    std::vector<std::size_t> places;
+    for (std::size_t k = 1; k <= fifths; ++k) {
+        if (const std::size_t end = all.size() * k / fifths; end > 0) {
+            places.push_back(end - 1);
+        }
+    }
+    std::vector<double> highs = solver::smallest_at(all, places);
+    highs.erase(std::unique(highs.begin(), highs.end()), highs.end());  // equal values take several fifths
+
+    constexpr double most = std::numeric_limits<double>::infinity();
+    std::array<double, fifths - 1> limits;  // between two bins
+    limits.fill(most);
+    std::copy_n(highs.begin(), highs.empty() ? 0 : highs.size() - 1, limits.begin());
+    const auto bin_of = [&](double value) {
+        return std::size_t{value > limits[0]} + std::size_t{value > limits[1]} + std::size_t{value > limits[2]} +
+               std::size_t{value > limits[3]};
+    };
+    std::array<Bin, fifths> found;
+    std::ranges::fill(found, Bin{.low = most});
     for (std::size_t p = 0; p < regressor.size(); ++p) {
         for (std::size_t i = 0; i < regressor[p].size(); ++i) {
-            samples.emplace_back(regressor[p][i], differences[p][i]);
+            Bin& bin = found[bin_of(regressor[p][i])];
+            bin.low = std::min(bin.low, regressor[p][i]);
+            bin.mean += differences[p][i];
+            ++bin.samples;
         }
     }
-    constexpr std::size_t fifths = 5;
-    std::vector<Bin> result;
-    auto first = samples.begin();
-    for (std::size_t k = 1; k <= fifths; ++k) {
-        auto end = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() * k / fifths);
-        if (end <= first) {  // equal values have taken this fifth already
-            continue;
-        }
-        const auto regressor_of = [](const auto& sample) { return sample.first; };
-        std::ranges::nth_element(first, end - 1, samples.end(), {}, regressor_of);
-        const double high = (end - 1)->first;
-        end = std::partition(end, samples.end(), [&](const auto& sample) { return sample.first == high; });
-        const auto n = static_cast<double>(end - first);
-        double low = high;
-        double sum = 0.0;
-        double squares = 0.0;
-        for (auto sample = first; sample != end; ++sample) {
-            low = std::min(low, sample->first);
-            sum += sample->second;
-        }
-        for (auto sample = first; sample != end; ++sample) {
-            squares += (sample->second - sum / n) * (sample->second - sum / n);
-        }
-        const double scatter = end - first > 1 ? std::sqrt(squares / (n - 1.0)) : 0.0;
-        result.push_back({.low = low,
-                          .high = high,
-                          .samples = static_cast<std::size_t>(end - first),
-                          .mean = sum / n,
-                          .deviation = scatter / std::sqrt(std::max(1.0, n / together))});
-        first = end;
+    for (std::size_t k = 0; k < highs.size(); ++k) {
+        found[k].high = highs[k];
+        found[k].mean /= static_cast<double>(found[k].samples);
     }
-    return result;
+    for (std::size_t p = 0; p < regressor.size(); ++p) {
+        for (std::size_t i = 0; i < regressor[p].size(); ++i) {
+            Bin& bin = found[bin_of(regressor[p][i])];
+            bin.deviation += (differences[p][i] - bin.mean) * (differences[p][i] - bin.mean);
+        }
+    }
+    for (std::size_t k = 0; k < highs.size(); ++k) {
+        const auto n = static_cast<double>(found[k].samples);
+        const double scatter = n > 1.0 ? std::sqrt(found[k].deviation / (n - 1.0)) : 0.0;
+        found[k].deviation = scatter / std::sqrt(std::max(1.0, n / together));
+    }
+    return {found.begin(), found.begin() + std::ssize(highs)};
 }
 
-Association association(const Pieces& regressor, const Pieces& differences) {
+Association association(const Pieces& regressor, const Pieces& differences, Autocovariance& of_differences) {
     Association result;
     const std::size_t samples = count(differences);
     if (samples < 2) {
@@ -241,15 +273,18 @@ Association association(const Pieces& regressor, const Pieces& differences) {
     }
     const double mean_r = mean(regressor);
     const double mean_d = mean(differences);
-    const double squares = joint(regressor, mean_r, regressor, mean_r, 0);
-    const double scale2 = squares * joint(differences, mean_d, differences, mean_d, 0);
+    const double squares = joint(regressor, mean_r, regressor, mean_r);
+    const double scale2 = squares * joint(differences, mean_d, differences, mean_d);
     // A constant's differences from its own mean are round-off.
     const double size = std::abs(mean_r) * std::sqrt(static_cast<double>(samples));
     if (!(scale2 > 0.0) || squares <= 1e-24 * size * size) {
         return result;
     }
-    result.correlation = std::clamp(joint(regressor, mean_r, differences, mean_d, 0) / std::sqrt(scale2), -1.0, 1.0);
-    result.independent = static_cast<double>(samples) / correlated_samples(regressor, differences);
+    result.correlation = std::clamp(joint(regressor, mean_r, differences, mean_d) / std::sqrt(scale2), -1.0, 1.0);
+    Autocovariance groups(regressor);
+    const auto n = static_cast<double>(samples);
+    const double group = n / static_cast<double>(std::max<std::size_t>(1, groups.samples()));
+    result.independent = n / std::clamp(group * sum_of_correlations(groups, &of_differences), 1.0, n);
     if (result.independent > 3.0) {
         result.sigmas =
             std::atanh(std::clamp(result.correlation, -1.0 + 1e-15, 1.0 - 1e-15)) * std::sqrt(result.independent - 3.0);

@@ -27,10 +27,24 @@ struct Figures {
 
 /// How many samples stand for one, 1 + 2 sum of the autocorrelations, 1 or more. The sum ends where it no longer falls
 /// towards zero (Geyer, Statistical Science 7 (1992) 473: initial monotone sequence); differences that keep their sign over
-/// a whole run so count as few samples, whatever the logger's rate. A multiple of `b` in place of the second `a` gives
-/// the same for the correlation of two signals (Bartlett).
+/// a whole run so count as few samples, whatever the logger's rate.
 [[nodiscard]] double correlated_samples(const Pieces& a);
-[[nodiscard]] double correlated_samples(const Pieces& a, const Pieces& b);
+
+/// Sums of the products of values about their mean and those some samples before, each lag's worked out once. The values are
+/// means of groups of neighbours where a piece is long.
+class Autocovariance {
+public:
+    explicit Autocovariance(const Pieces& pieces);
+
+    [[nodiscard]] double at(std::size_t lag);
+    [[nodiscard]] std::size_t samples() const { return samples_; }  ///< or groups of them
+    [[nodiscard]] std::size_t longest() const;                      ///< piece, in samples or groups
+
+private:
+    Pieces pieces_;  ///< about their mean
+    std::size_t samples_ = 0;
+    std::vector<double> products_{};  ///< by the lag
+};
 
 /// Standard deviation of what changes from one sample to the next: of each sample about the line between its neighbours.
 /// It is the whole noise where that is white, less of it the slower it is, and nothing of what is smooth over three samples.
@@ -71,8 +85,14 @@ struct Association {
     double sigmas = 0.0;       ///< Fisher's atanh(r) sqrt(independent - 3), standard normal without a relation
     double chance = 1.0;       ///< that unrelated signals give as large a correlation, either sign
 };
+/// As many samples stand for one as the product of both autocorrelations says (Bartlett).
 /// @returns nothing (correlation 0) where either does not vary
-[[nodiscard]] Association association(const Pieces& regressor, const Pieces& differences);
+[[nodiscard]] Association association(const Pieces& regressor, const Pieces& differences,
+                                      Autocovariance& of_differences);
+[[nodiscard]] inline Association association(const Pieces& regressor, const Pieces& differences) {
+    Autocovariance own(differences);
+    return association(regressor, differences, own);
+}
 
 /// Whether nothing was measured between two samples that follow one another, as in laps that do not count: their interval is more than
 /// twenty times those beside it and a fiftieth of the whole. A logger that goes on more slowly has no gap.

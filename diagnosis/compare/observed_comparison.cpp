@@ -36,10 +36,9 @@ ComparedSeries series_of(const input::Experiment& experiment, const Observations
                                    .inputs = inputs,
                                    .simulated = simulated[row],
                                    .is_temperature = is_temperature};
-        for (std::size_t r = 0; r < regressors.size(); ++r) {
-            series.regressor[r].push_back(regressors[r].value(moment));
-        }
+        add_values(regressors, moment, series.regressor);
     }
+    add_columns(regressors, first.run, block.sample, series.regressor);
     return series;
 }
 

@@ -97,16 +97,20 @@ EnergyCourse friction_energy(const solver::Problem& problem) {
         return physics::friction_power(*sliding, problem.tire, inputs);
     };
     EnergyCourse course{.names = {"along", "across"}, .time = corner_times(problem), .joules = {0.0, 0.0}};
+    physics::FrictionPower first;
     for (std::size_t i = 1; i < course.time.size(); ++i) {
         const double from = course.time[i - 1];
         const double to = course.time[i];
-        const physics::FrictionPower first = power_at(from, solver::JumpSide::after);
+        if (i == 1 || std::ranges::binary_search(problem.input_signals.stops(), from)) {  // the inputs may jump
+            first = power_at(from, solver::JumpSide::after);
+        }
         const physics::FrictionPower middle = power_at(0.5 * (from + to), solver::JumpSide::after);
         const physics::FrictionPower last = power_at(to, solver::JumpSide::before);
         const auto simpson = [&](double a, double b, double c) { return (to - from) / 6.0 * (a + 4.0 * b + c); };
         const std::size_t before = course.joules.size() - 2;
         course.joules.push_back(course.joules[before] + simpson(first.along, middle.along, last.along));
         course.joules.push_back(course.joules[before + 1] + simpson(first.across, middle.across, last.across));
+        first = last;
     }
     return course;
 }

@@ -2,6 +2,7 @@
 // Finds saturated plateaus, repeated frames and temperatures that look like a wrong unit.
 
 #include "input/cameras/frame_warnings.hpp"
+#include "physics/celsius.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double freezing = 273.15;
 /// Of the hottest value: one pixel has it by chance, several in several frames do not.
 constexpr std::size_t a_plateau = 10;
 // Beyond these, degC, a temperature of a specimen is probably in another unit.
@@ -57,14 +57,14 @@ std::vector<std::string> FrameChecks::warnings(const MeasuredFrames& frames, std
         say(fmt::format(
             "its hottest value, {:.2f} degC, stands {} times, several times in each of {} frames: the camera "
             "may be saturated there; a wider range, or leave those pixels or frames out",
-            hottest_ - freezing, at_hottest_, in_frames_));
+            celsius(hottest_), at_hottest_, in_frames_));
     }
     if (repeated_ > 0) {
         say(fmt::format("{} of {} frames equal the one before, to the last digit", repeated_, frames_));
     }
-    if (coldest_ - freezing < too_cold || hottest_ - freezing > too_hot) {
-        say(fmt::format("temperatures go from {:.1f} to {:.1f} degC: is the unit right?", coldest_ - freezing,
-                        hottest_ - freezing));
+    if (celsius(coldest_) < too_cold || celsius(hottest_) > too_hot) {
+        say(fmt::format("temperatures go from {:.1f} to {:.1f} degC: is the unit right?", celsius(coldest_),
+                        celsius(hottest_)));
     }
     if (frames.dead > 0) {
         say(fmt::format("{} of {} detectors have no value in some frame and count as dead", frames.dead,

@@ -34,15 +34,26 @@ std::vector<double> off_median(const std::vector<double>& value) {
     std::vector<double> off(value.size());
     std::vector<double> about;  // those about a sample, ascending
     const auto place = [&](std::size_t i) { return std::ranges::lower_bound(about, value[i]); };
+    const auto exchange = [&](std::size_t old, double fresh) {
+        auto at = place(old);
+        for (; at + 1 != about.end() && at[1] < fresh; ++at) {
+            *at = at[1];
+        }
+        for (; at != about.begin() && at[-1] > fresh; --at) {
+            *at = at[-1];
+        }
+        *at = fresh;
+    };
     for (std::size_t i = 0; i < std::min(half_window, value.size()); ++i) {
         about.insert(place(i), value[i]);
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
-        if (i + half_window < value.size()) {
-            about.insert(place(i + half_window), value[i + half_window]);
-        }
-        if (i > half_window) {
+        if (i > half_window && i + half_window < value.size()) {
+            exchange(i - half_window - 1, value[i + half_window]);
+        } else if (i > half_window) {
             about.erase(place(i - half_window - 1));
+        } else if (i + half_window < value.size()) {
+            about.insert(place(i + half_window), value[i + half_window]);
         }
         off[i] = value[i] - about[about.size() / 2];
     }

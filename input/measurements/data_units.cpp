@@ -13,6 +13,7 @@
 #include "input/measurements/data_warnings.hpp"
 #include "input/measurements/dead_stretches.hpp"
 #include "input/measurements/usual_units.hpp"
+#include "physics/celsius.hpp"
 
 /// What looks suspicious in the size of a signal: its unit is probably another one.
 namespace tiretherm::input {
@@ -87,9 +88,9 @@ struct Span {
     double low;
     double high;
 };
-constexpr std::array spans{Span{"air_temperature", celsius - 40.0, celsius + 55.0},
-                           Span{"road_temperature", celsius - 40.0, celsius + 75.0},
-                           Span{"", celsius - 50.0, celsius + 200.0}};
+constexpr std::array spans{Span{"air_temperature", zero_celsius - 40.0, zero_celsius + 55.0},
+                           Span{"road_temperature", zero_celsius - 40.0, zero_celsius + 75.0},
+                           Span{"", zero_celsius - 50.0, zero_celsius + 200.0}};
 /// What may be meant, the likeliest first: numbers of 300 are rather kelvin than degrees Fahrenheit.
 constexpr std::array<std::string_view, 3> temperature_units{"K", "degC", "degF"};
 constexpr double agreeing = 3.0;      ///< K: a tire that starts with the air

@@ -10,6 +10,7 @@
 
 #include "input/measurements/data_warnings.hpp"
 #include "input/measurements/usual_units.hpp"
+#include "physics/celsius.hpp"
 
 /// Inputs that are possible but unusual.
 namespace tiretherm::input {
@@ -30,8 +31,8 @@ constexpr std::array usual{Usual{"speed", -no_limit, 300.0 * km_h},
                            Usual{"longitudinal_force", -2e4, 2e4},
                            Usual{"camber", -10.0 * degree, 10.0 * degree},
                            Usual{"inflation_pressure", 1.0 * bar, 5.0 * bar},
-                           Usual{"air_temperature", celsius - 30.0, celsius + 50.0},
-                           Usual{"road_temperature", celsius - 30.0, celsius + 70.0},
+                           Usual{"air_temperature", zero_celsius - 30.0, zero_celsius + 50.0},
+                           Usual{"road_temperature", zero_celsius - 30.0, zero_celsius + 70.0},
                            Usual{"laser_power", 0.0, 10.0}};
 
 }  // namespace

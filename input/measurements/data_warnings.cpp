@@ -29,10 +29,6 @@ constexpr std::array rules{Rule{find_frozen, true}, Rule{find_dead, true},      
                            Rule{find_clipped},      Rule{find_stuck},           Rule{find_dead_stretches},
                            Rule{find_outliers},     Rule{find_unit_slip, true}, Rule{find_unusual}};
 
-double quantile(const std::vector<double>& values, double share) {
-    return solver::nth_smallest(values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5));
-}
-
 }  // namespace
 
 std::string three_digits(double value) {
@@ -57,11 +53,12 @@ const RecordedColumn::Statistics& RecordedColumn::statistics() const {
             smallest = step > 0.0 && (smallest == 0.0 || step < smallest) ? step : smallest;
         }
         const auto [first, last] = std::ranges::minmax(value);
-        return Statistics{.least = first,
-                          .most = last,
-                          .low = quantile(value, 0.01),
-                          .high = quantile(value, 0.99),
-                          .resolution = smallest};
+        const auto place = [&](double share) {
+            return static_cast<std::size_t>(share * static_cast<double>(value.size() - 1) + 0.5);
+        };
+        const std::vector<double> hundredths = solver::smallest_at(value, {place(0.01), place(0.99)});
+        return Statistics{
+            .least = first, .most = last, .low = hundredths[0], .high = hundredths[1], .resolution = smallest};
     });
 }
 

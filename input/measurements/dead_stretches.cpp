@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "input/measurements/usual_units.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::input {
 
@@ -32,8 +32,9 @@ struct Movement {
 // A schedule stands, too, and for longer than a receiver is lost. The air's temperature stands in many samples of a logger, in
 // steps of 1 degC.
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::array movements{Movement{"K", 8.0, 5.0, 0.5, celsius - 39.5, celsius + 400.0, infinite, true, 100},
-                               Movement{"m s-1", 3.0, 15.0, 0.5, -150.0, 150.0, 30.0, false}};
+constexpr std::array movements{
+    Movement{"K", 8.0, 5.0, 0.5, zero_celsius - 39.5, zero_celsius + 400.0, infinite, true, 100},
+    Movement{"m s-1", 3.0, 15.0, 0.5, -150.0, 150.0, 30.0, false}};
 constexpr double aftermath = 0.25;              ///< of the jump: the largest step after one that was measured is larger
 constexpr std::size_t aftermath_samples = 10;   ///< beside a jump
 constexpr double slowest_jump = 2.0;            ///< s between its samples: in a longer time a laser heats by anything
@@ -168,7 +169,7 @@ private:
 };
 
 std::string shown(double value, std::string_view si) {
-    return si == "K" ? fmt::format("{} degC", three_digits(value - celsius))
+    return si == "K" ? fmt::format("{} degC", three_digits(celsius(value)))
                      : fmt::format("{} km/h", three_digits(value * 3.6));
 }
 

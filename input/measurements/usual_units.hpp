@@ -9,7 +9,6 @@ namespace tiretherm::input {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr double degree = std::numbers::pi / 180.0;  ///< rad
-constexpr double celsius = 273.15;                   ///< K, of 0 degC
 constexpr double km_h = 1.0 / 3.6;                   ///< m/s
 constexpr double bar = 1e5;                          ///< Pa
 

@@ -9,6 +9,7 @@
 
 #include "input/model/materials.hpp"
 #include "input/model/tire.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::input {
 
@@ -56,10 +57,9 @@ TemperatureSpan given_temperatures(const solver::Problem& problem) {
     return span;
 }
 
-constexpr double celsius_zero = 273.15;
 /// Between these a tire may be run: a law that fails there is told, whatever the case.
-constexpr double coldest_tire = celsius_zero - 40.0;
-constexpr double hottest_tire = celsius_zero + 200.0;
+constexpr double coldest_tire = zero_celsius - 40.0;
+constexpr double hottest_tire = zero_celsius + 200.0;
 
 /// Where a law is smallest, to a thousandth of the span.
 double lowest_place(const Curve& law, const TemperatureSpan& span) {
@@ -79,7 +79,7 @@ void check_law(InputErrors& errors, const Curve& law, const std::string& what, s
         const double T = lowest_place(law, sure);
         errors.add(place,
                    fmt::format("{} is {:.3g} {} at {:.1f} degC, a temperature of this case", what, law.value(T), unit,
-                               T - celsius_zero),
+                               celsius(T)),
                    "correct the law: conductivity and heat capacity must be positive");
         return;
     }
@@ -89,7 +89,7 @@ void check_law(InputErrors& errors, const Curve& law, const std::string& what, s
         errors.warn(place,
                     "{} is {:.3g} {} at {:.0f} degC, and a tire may be run between -40 and 200 degC: hold "
                     "the law where it was measured, range = [\"20 degC\", \"120 degC\"]",
-                    what, law.value(T), unit, T - celsius_zero);
+                    what, law.value(T), unit, celsius(T));
     }
 }
 

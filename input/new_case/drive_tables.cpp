@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/new_case/case_tables.hpp"
+#include "physics/celsius.hpp"
 #include "physics/tire_laws/load_capacity.hpp"
 
 namespace tiretherm::input {
@@ -125,7 +126,7 @@ std::string lacking_of(const Log* log, std::string_view input) {
 }  // namespace
 
 std::string shown_celsius(double kelvin) {
-    return fmt::format("{:g} degC", std::round((kelvin - 273.15) * 100.0) / 100.0);
+    return fmt::format("{:g} degC", std::round(celsius(kelvin) * 100.0) / 100.0);
 }
 
 std::string shown_seconds(double seconds) { return fmt::format("{} s", seconds); }

@@ -12,6 +12,7 @@
 #include "input/text/quantity_specs.hpp"
 #include "input/text/word_lists.hpp"
 #include "input/toml/toml_text.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::input {
 
@@ -46,7 +47,7 @@ std::optional<FreeParameters> free_values(const CaseAsRead& in, const Knots& kno
         if (const auto range = law->range(); range && (T < (*range)[0] || T > (*range)[1])) {
             return in.errors.add(knots.place,
                                  fmt::format("the case's law is held outside {:.6g} to {:.6g} degC, and {} lies there",
-                                             (*range)[0] - 273.15, (*range)[1] - 273.15, knots.written[k]),
+                                             celsius((*range)[0]), celsius((*range)[1]), knots.written[k]),
                                  "name a temperature inside the law's range");
         }
         FreeParameter number = blank;

@@ -13,12 +13,11 @@
 #include "input/text/quantity_specs.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::input {
 
 namespace {
-
-constexpr double zero_celsius = 273.15;
 
 /// The names of a key, each of which the mesh must have. @returns whether a name is meant; all are where none is given
 class Chosen {
@@ -139,7 +138,7 @@ solver::Critical read_one(TomlTable& table, const solver::Problem& problem) {
         table.add_error("temperature",
                         fmt::format("{:.6g} degC is passed before anything heats the tire: its start or its air is at "
                                     "{:.6g} degC",
-                                    *temperature - zero_celsius, surroundings - zero_celsius),
+                                    celsius(*temperature), celsius(surroundings)),
                         "give the temperature that the part can bear");
     }
     return critical;

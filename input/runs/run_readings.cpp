@@ -13,6 +13,7 @@
 #include "input/model/sensors.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
+#include "physics/celsius.hpp"
 
 namespace tiretherm::input {
 
@@ -128,8 +129,8 @@ void warn_of_starts(const TomlValue& document, const solver::Problem& problem, c
                 errors.warn(initial->place,
                             "{} starts at {:.0f} degC, as the {}, and {} reads {:.0f} degC first: "
                             "{} = \"{}\" in [initial] starts it there",
-                            lumped.name, start - 273.15, lumped.name == "drum" ? "road" : "air around", channel.name,
-                            *first - 273.15, lumped.name, channel.name);
+                            lumped.name, celsius(start), lumped.name == "drum" ? "road" : "air around", channel.name,
+                            celsius(*first), lumped.name, channel.name);
             }
         }
     }

@@ -22,8 +22,11 @@ std::string_view unquoted(std::string_view field) {
 
 /// Where the first field of a line ends. A quote that is not closed before a separator is a character like any other.
 std::size_t end_of_field(std::string_view line, char separator) {
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first != std::string_view::npos && line[first] == '"') {
+    std::size_t first = 0;
+    while (first < line.size() && (line[first] == ' ' || line[first] == '\t')) {
+        ++first;
+    }
+    if (first < line.size() && line[first] == '"') {
         std::size_t closing = line.find('"', first + 1);
         while (closing != std::string_view::npos && line.substr(closing + 1).starts_with('"')) {  // a quote within
             closing = line.find('"', closing + 2);

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "physics/celsius.hpp"
+
 namespace tiretherm::input::toml_text {
 
 std::string in_quotes(std::string_view text) {
@@ -131,11 +133,10 @@ TomlValue quantity_value(double value, std::string_view unit) {
 }
 
 TomlValue temperature_value(double kelvin) {
-    constexpr double zero = 273.15;
-    // The difference to 273.15 has a digit of rounding at its end; what is written must give the same kelvin again, digit by
+    // The difference to 0 degC has a digit of rounding at its end; what is written must give the same kelvin again, digit by
     // digit.
-    const double celsius = std::round((kelvin - zero) * 1e9) / 1e9;
-    return celsius + zero == kelvin ? quantity_value(celsius, "degC") : quantity_value(kelvin, "K");
+    const double written = std::round(celsius(kelvin) * 1e9) / 1e9;
+    return written + zero_celsius == kelvin ? quantity_value(written, "degC") : quantity_value(kelvin, "K");
 }
 
 TomlValue path_value(const std::filesystem::path& file, const std::filesystem::path& folder) {

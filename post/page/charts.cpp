@@ -3,9 +3,10 @@
 #include "post/page/charts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -72,7 +73,13 @@ TimeUnit time_unit(double span) {
 
 std::string axis_unit(std::string_view unit) { return unit == "degC" ? "°C" : std::string(unit); }
 
-double rounded(double value, int digits) { return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr); }
+double rounded(double value, int digits) {
+    std::array<char, 64> room;
+    const char* const end =
+        std::to_chars(room.data(), room.data() + room.size(), value, std::chars_format::general, digits).ptr;
+    std::from_chars(room.data(), end, value);
+    return value;
+}
 
 double round_step(double about) {
     const double power = std::pow(10.0, std::floor(std::log10(about)));

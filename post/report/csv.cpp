@@ -3,6 +3,9 @@
 #include "post/report/csv.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -43,7 +46,11 @@ void Csv::add(std::string_view text) {
 void Csv::add(Digits number) {
     separate();
     if (std::isfinite(number.value)) {
-        fmt::format_to(std::back_inserter(text_), FMT_COMPILE("{:.{}g}"), number.value, number.digits);
+        std::array<char, 64> room;
+        const auto [end, error] = std::to_chars(room.data(), room.data() + room.size(), number.value,
+                                                std::chars_format::general, number.digits);
+        assert(error == std::errc());
+        text_.append(room.data(), end);
     }
 }
 

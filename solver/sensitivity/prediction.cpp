@@ -24,22 +24,23 @@ namespace {
 /// Halvings of a step that does not converge although it did for a neighbouring problem.
 constexpr int most_halvings = 8;
 
-/// Takes the steps of the error control: fills their ends and the heat up to them.
-void find_steps(Problem problem, Prediction& into) {
+/// Takes the steps of the error control: fills their ends, the heat up to them and what their inputs do.
+void find_steps(Problem problem, Prediction& into, KeptForcing& kept) {
     problem.settings.output_interval = 0.0;
     problem.settings.field_interval = 0.0;
     problem.channels.clear();
     for (physics::ActiveEffect& active : problem.effects) {
         active.channels.clear();
     }
-    const Report report = run(problem, [&](const Snapshot& now) {
+    const auto take = [&](const Snapshot& now) {
         if (now.time > problem.settings.start) {
             into.step_ends.push_back(now.time);
             into.joules.insert(into.joules.end(), now.joules.begin(), now.joules.end());
         }
         return !stop_requested();
-    });
-    into.status = report.status;
+    };
+    into.status = run(problem, take, kept).status;
+    kept.close();
 }
 
 /// The steps are given: none of them is judged by its error.
@@ -50,11 +51,11 @@ Problem with_given_steps(Problem problem) {
 
 class Prophet {
 public:
-    Prophet(const Problem& problem, const PredictionRequest& request, Prediction& into)
+    Prophet(const Problem& problem, const PredictionRequest& request, Prediction& into, KeptForcing* kept)
         : problem_(with_given_steps(problem)),
           request_(request),
           into_(into),
-          stepper_(problem_),
+          stepper_(problem_, kept),
           sensor_outputs_(problem_, stepper_.system()),
           tangent_(problem_, stepper_, request.parameters, request.values, request.tolerance),
           slopes_(request.parameters.size() * problem.channels.size()),
@@ -169,13 +170,15 @@ Prediction simulate(const Problem& problem, const PredictionRequest& request) {
     prediction.value.assign(prediction.n_times * prediction.n_channels, std::nan(""));
     prediction.slope.assign(request.parameters.size() * prediction.value.size(), 0.0);
     prediction.step_ends.assign(request.step_ends.begin(), request.step_ends.end());
-    if (prediction.step_ends.empty() && !problem.settings.steady) {
-        find_steps(problem, prediction);
+    KeptForcing kept;
+    const bool finds_steps = prediction.step_ends.empty() && !problem.settings.steady;
+    if (finds_steps) {
+        find_steps(problem, prediction, kept);
         if (!prediction.status.ok()) {
             return prediction;
         }
     }
-    Prophet prophet(problem, request, prediction);
+    Prophet prophet(problem, request, prediction, finds_steps ? &kept : nullptr);
     prediction.status = problem.settings.steady ? prophet.steady() : prophet.march(prediction.step_ends);
     prophet.name_kinks();
     return prediction;

@@ -44,8 +44,11 @@ constexpr int rough_steps = 8;
 /// A run from its start to its end: chooses the steps, leaves checkpoints, fills the report.
 class Run {
 public:
-    Run(const Problem& problem, const Observer& observer, const Continuation& continuation)
-        : problem_(problem), continuation_(continuation), stepper_(problem), sampler_(problem, observer, stepper_) {
+    Run(const Problem& problem, const Observer& observer, const Continuation& continuation, KeptForcing* kept)
+        : problem_(problem),
+          continuation_(continuation),
+          stepper_(problem, kept),
+          sampler_(problem, observer, stepper_) {
         report_.hottest.temperature = -std::numeric_limits<double>::infinity();
         report_.coldest.temperature = std::numeric_limits<double>::infinity();
     }
@@ -288,7 +291,11 @@ private:
 }  // namespace
 
 Report run(const Problem& problem, const Observer& observer, const Continuation& continuation) {
-    return Run(problem, observer, continuation).go();
+    return Run(problem, observer, continuation, nullptr).go();
+}
+
+Report run(const Problem& problem, const Observer& observer, KeptForcing& kept) {
+    return Run(problem, observer, {}, &kept).go();
 }
 
 }  // namespace tiretherm::solver

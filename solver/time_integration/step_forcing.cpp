@@ -31,11 +31,13 @@ std::optional<InputSignals> in_time(const System& system, const InputSignals& lo
 
 }  // namespace
 
-StepForcing::StepForcing(const System& system, const InputSignals& input_signals, const Tableau& tableau)
+StepForcing::StepForcing(const System& system, const InputSignals& input_signals, const Tableau& tableau,
+                         KeptForcing* kept)
     : system_(&system),
       in_time_(in_time(system, input_signals)),
       input_signals_(in_time_ ? &*in_time_ : &input_signals),
       tableau_(&tableau),
+      kept_(kept),
       stages_(static_cast<std::size_t>(tableau.stages), std::vector<double>(system.n_coefficients())),
       unresolved_(system.n_coefficients()) {
     nodes_.reserve(2 * input_signals.samples().size() + 3);
@@ -53,7 +55,13 @@ void StepForcing::open(double t0, double t1) {
     const auto last = std::lower_bound(samples.begin(), samples.end(), t1) - samples.begin();
     averaged_ = last > first;
     if (averaged_) {
+        if (kept_ != nullptr && kept_->is_closed() && kept_->take(t0, t1, stages_)) {
+            return;
+        }
         average(t0, t1, first, last);
+        if (kept_ != nullptr && !kept_->is_closed()) {
+            kept_->keep(t0, t1, stages_);
+        }
         return;
     }
     for (int i = 0; i < tableau_->stages; ++i) {

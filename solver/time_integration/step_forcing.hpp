@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/system.hpp"
+#include "solver/time_integration/kept_forcing.hpp"
 #include "solver/time_integration/tableau.hpp"
 
 namespace tiretherm::solver {
@@ -20,7 +21,9 @@ namespace tiretherm::solver {
 /// values of the series. `unresolved` is what such a line leaves out.
 class StepForcing {
 public:
-    StepForcing(const System& system, const InputSignals& input_signals, const Tableau& tableau);
+    /// @param kept what is found of the steps goes there, or comes from there once it is closed, without `unresolved`; null: it is
+    ///        found anew
+    StepForcing(const System& system, const InputSignals& input_signals, const Tableau& tableau, KeptForcing* kept = nullptr);
     StepForcing(const StepForcing&) = delete;
     StepForcing& operator=(const StepForcing&) = delete;
 
@@ -44,6 +47,7 @@ private:
     std::optional<InputSignals> in_time_;  ///< the inputs without the delays of their logs, where there are any
     const InputSignals* input_signals_;
     const Tableau* tableau_;
+    KeptForcing* kept_;
     std::vector<std::vector<double>> stages_;
     std::optional<physics::Inputs> ended_;  ///< in real time: what the last opened step ends with
     bool averaged_ = false;

@@ -26,11 +26,11 @@ void add(double factor, std::span<const double> x, std::span<double> y) {
 constexpr double newton_share = 0.05;
 }  // namespace
 
-Stepper::Stepper(const Problem& problem)
+Stepper::Stepper(const Problem& problem, KeptForcing* kept)
     : problem_(&problem),
       system_(problem),
       tableau_(&tableau(problem.settings.method)),
-      forcing_(system_, problem.input_signals, *tableau_),
+      forcing_(system_, problem.input_signals, *tableau_, kept),
       newton_(system_),
       time_(problem.settings.start),
       step_begin_(problem.settings.start),

@@ -25,7 +25,8 @@ struct Stage {
 /// linear algebra libraries need when a new factor is made.
 class Stepper {
 public:
-    explicit Stepper(const Problem& problem);
+    /// @param kept as StepForcing takes it: closed, the steps must be given
+    explicit Stepper(const Problem& problem, KeptForcing* kept = nullptr);
 
     /// Where an attempted step would lead.
     struct Attempt {

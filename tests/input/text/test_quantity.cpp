@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Quantities with units: accepted and refused texts, bounds in the user's unit, hints, and unusual values.
 
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "input/text/quantity_specs.hpp"
@@ -32,6 +36,26 @@ TEST(Quantity, AcceptsWhatPeopleWrite) {
     EXPECT_DOUBLE_EQ(value("0.6", share), 0.6);
     EXPECT_DOUBLE_EQ(value("60 %", share), 0.6);
     EXPECT_DOUBLE_EQ(value("0.6 -", share), 0.6);
+}
+
+// Of a decimal number the nearest double is read, as strtod finds it; up to 15 digits without an exponent, and beyond.
+TEST(Quantity, NumbersOfLogsAreReadToTheLastDigit) {
+    std::mt19937_64 random(4);
+    for (int i = 0; i < 20000; ++i) {
+        std::string digits = std::to_string(random());
+        digits.resize(1 + random() % digits.size());
+        digits.insert(random() % (digits.size() + 1), ".");
+        const std::string text = (i % 2 == 0 ? "-" : "") + digits + " km/h";
+        const std::optional<Number> number = leading_number(text);
+        ASSERT_TRUE(number.has_value()) << text;
+        EXPECT_EQ(number->value, std::strtod(text.c_str(), nullptr)) << text;
+        EXPECT_EQ(number->rest, "km/h") << text;
+    }
+    EXPECT_TRUE(std::signbit(leading_number("-0.0")->value));
+    EXPECT_EQ(leading_number("1.5e2")->value, 150.0);
+    EXPECT_EQ(leading_number("1.2.3")->rest, ".3");
+    EXPECT_FALSE(leading_number("-").has_value());
+    EXPECT_FALSE(leading_number(".").has_value());
 }
 
 // The smallest double is 5e-324: what is nearer to zero is zero. What is larger than 1.8e308 is refused, however written.

@@ -65,6 +65,19 @@ TEST(InputDelay, GivesTheRunInTimeBack) {
     EXPECT_LT(farthest(in_time, mended), 1e-9);
 }
 
+// What the log does over the steps that were found serves the march over them as well; over given steps it is found anew. Both
+// marches are one, to the last digit.
+TEST(InputDelay, OfStepsThatWereJustFoundIsThatOfGivenSteps) {
+    const std::vector<double> asked = times();
+    Problem late = under(swinging_load(2.0));
+    act(late, "input_delay", {{"vertical_load", 2.0}});
+    const Prediction found = predict(late, {.times = asked});
+    const Prediction given = predict(late, {.times = asked, .step_ends = found.step_ends});
+    ASSERT_TRUE(found.status.ok() && given.status.ok());
+    EXPECT_LT(found.step_ends.size(), 1200U);  // steps span samples
+    EXPECT_EQ(found.value, given.value);
+}
+
 TEST(InputDelay, OfAnotherInputChangesNothing) {
     const std::vector<double> asked = times();
     Problem problem = under(swinging_load(0.0));
