@@ -23,7 +23,8 @@ class StepForcing {
 public:
     /// @param kept what is found of the steps goes there, or comes from there once it is closed, without `unresolved`; null: it is
     ///        found anew
-    StepForcing(const System& system, const InputSignals& input_signals, const Tableau& tableau, KeptForcing* kept = nullptr);
+    StepForcing(const System& system, const InputSignals& input_signals, const Tableau& tableau,
+                KeptForcing* kept = nullptr);
     StepForcing(const StepForcing&) = delete;
     StepForcing& operator=(const StepForcing&) = delete;
 
