@@ -9,6 +9,8 @@
 #include <limits>
 #include <optional>
 
+#include "input/effects/formula_points.hpp"
+
 namespace tiretherm::input {
 
 namespace {
@@ -60,117 +62,32 @@ public:
     void follow(double from, double to, const std::vector<double>& places) {
         width_ = to - from;
         Sample left = at(from, JumpSide::after);
-        add_knot(left);
+        points_.add_knot(left.t, left.value);
         for (const double place : places) {
             Sample right = at(place, JumpSide::before);
             piece(left, right);
-            places_.push_back(samples_.history.time.size());
-            add(right.t, right.value);
+            points_.add_place(right.t, right.value);
             left = std::move(right);
         }
         const Sample right = at(to, JumpSide::before);
         piece(left, right);
-        add_knot(right);
+        points_.add_knot(right.t, right.value);
     }
 
-    /// What is left open at the end of the run.
-    void finish(double end) {
-        close_gap(end);
-        drop_idle_places();
-    }
-
-    [[nodiscard]] FormulaSamples& samples() { return samples_; }
-    [[nodiscard]] double largest() const { return largest_; }
+    [[nodiscard]] FormulaPoints& points() { return points_; }
     [[nodiscard]] bool integral_is_right() const { return deviation_ <= formula_accuracy * integral_; }
 
 private:
     Sample at(double t, JumpSide side = JumpSide::before) {
         Sample sample{.t = t, .value = 0.0, .decisions = {}};
         sample.value = (*formula_)(t, side, sample.decisions);
-        if (sample.finite()) {
-            largest_ = std::max(largest_, std::abs(sample.value));
-        }
+        points_.see(sample.value);
         return sample;
-    }
-
-    void add(double t, double value) {
-        if (!std::isfinite(value) || samples_.too_fast) {
-            return;  // a place without a point is no harm: the next point stands for it
-        }
-        SignalHistory& history = samples_.history;
-        samples_.too_fast = history.time.size() >= most_formula_points;
-        history.time.push_back(history.time.empty() ? t : std::max(t, history.time.back()));
-        history.value.push_back(value);
-    }
-
-    void add_knot(const Sample& sample) {
-        SignalHistory& history = samples_.history;
-        if (history.time.empty() || history.time.back() != sample.t || history.value.back() != sample.value) {
-            add(sample.t, sample.value);
-        }
-        if (sample.finite()) {
-            close_gap(sample.t);
-        } else {
-            open_gap(sample.t);
-        }
-    }
-
-    void open_gap(double t) { gap_since_ = std::min(gap_since_, t); }
-
-    void close_gap(double t) {
-        if (gap_since_ < t) {
-            const double gap = t - gap_since_;
-            samples_.undefined += gap;
-            if (gap > samples_.longest_gap) {
-                samples_.longest_gap = gap;
-                samples_.gap_from = gap_since_;
-            }
-        }
-        gap_since_ = std::numeric_limits<double>::infinity();
-    }
-
-    /// Takes away the points that were only looked at: those on the straight line between their neighbours.
-    void drop_idle_places() {
-        const SignalHistory& all = samples_.history;
-        SignalHistory kept;
-        auto place = places_.begin();
-        for (std::size_t i = 0; i < all.time.size(); ++i) {
-            const bool only_looked_at = place != places_.end() && *place == i;
-            place += only_looked_at ? 1 : 0;
-            if (only_looked_at && !kept.time.empty() && i + 1 < all.time.size()) {
-                const double t0 = kept.time.back();
-                const double t1 = all.time[i + 1];
-                const double share = t1 > t0 ? (all.time[i] - t0) / (t1 - t0) : 0.0;
-                const double line = (1.0 - share) * kept.value.back() + share * all.value[i + 1];
-                if (t1 > t0 && std::abs(all.value[i] - line) <= 1e-12 * largest_) {
-                    continue;
-                }
-            }
-            kept.time.push_back(all.time[i]);
-            kept.value.push_back(all.value[i]);
-        }
-        samples_.history = std::move(kept);
-    }
-
-    void add_jump(const Sample& before, const Sample& after) {
-        if (before.finite() && !after.finite()) {
-            add(after.t, before.value);
-            open_gap(after.t);
-        } else if (!before.finite() && after.finite()) {
-            close_gap(after.t);
-            add(after.t, after.value);
-        } else if (std::abs(after.value - before.value) <= 1e-9 * largest_) {
-            add(after.t, after.value);
-        } else {
-            const double half = 0.5 * jump_share_ * width_;
-            add(after.t - half, before.value);
-            add(after.t + half, after.value);
-        }
     }
 
     /// Points inside of (left, right), whatever happens there.
     void piece(Sample left, const Sample& right) {
-        while (!left.decides_as(right) && !samples_.too_fast) {
+        while (!left.decides_as(right) && !points_.is_given_up()) {
             Sample before = left;
             Sample after = right;
             // Two times that are closer have no number between them.
@@ -181,7 +98,7 @@ private:
                 (middle.decides_as(before) ? before : after) = std::move(middle);
             }
             smooth(left, before);
-            add_jump(before, after);
+            points_.add_jump(after.t, before.value, after.value, 0.5 * jump_share_ * width_);
             left = std::move(after);
         }
         smooth(left, right);
@@ -237,8 +154,8 @@ private:
     void smooth(const Sample& left, const Sample& right) {
         const double width = right.t - left.t;
         const Level level(depth_);
-        samples_.too_fast = samples_.too_fast || depth_ > deepest;
-        if (samples_.too_fast) {
+        if (points_.is_given_up() || depth_ > deepest) {
+            points_.give_up();
             return;
         }
         // Towards t = 0 numbers get finer without end: there the distance of the knots is the measure.
@@ -267,7 +184,7 @@ private:
                                       std::abs(third - 0.5 * middle.value - 0.5 * right.value));
         if (!(error <= tolerance_)) {
             smooth(left, middle);
-            add(middle.t, middle.value);
+            points_.add(middle.t, middle.value);
             smooth(middle, right);
             return;
         }
@@ -276,8 +193,8 @@ private:
         const double simpson = left.value / 6.0 + middle.value * 2.0 / 3.0 + right.value / 6.0;
         const double boole =
             (left.value + right.value) * (7.0 / 90.0) + (first + third) * (32.0 / 90.0) + middle.value * (12.0 / 90.0);
-        if (bend > 1e-12 * largest_) {
-            add(middle.t, middle.value + 2.0 * (boole - two_lines));
+        if (bend > 1e-12 * points_.largest()) {
+            points_.add(middle.t, middle.value + 2.0 * (boole - two_lines));
         }
         deviation_ += width * std::abs(boole - simpson);
         integral_ += 0.5 * width * std::abs(left.value) + 0.5 * width * std::abs(right.value);
@@ -285,7 +202,7 @@ private:
 
     void split(const Sample& left, const Sample& middle, const Sample& right) {
         piece(left, middle);
-        add(middle.t, middle.value);
+        points_.add(middle.t, middle.value);
         piece(middle, right);
     }
 
@@ -295,12 +212,9 @@ private:
     double tolerance_;
     double width_ = 0.0;
     int depth_ = 0;  ///< calls of smooth() within one another
-    double largest_ = 0.0;
     double deviation_ = 0.0;
     double integral_ = 0.0;
-    std::vector<std::size_t> places_;  ///< points at places between the knots, indices into the history, ascending
-    double gap_since_ = std::numeric_limits<double>::infinity();
-    FormulaSamples samples_;
+    FormulaPoints points_;
 };
 
 /// Places between two knots, at distances that no period of the formula fits.
@@ -320,13 +234,14 @@ public:
 
     /// The tolerance is that of the values first, then what the integral takes.
     FormulaSamples with_pieces(int pieces_over_run) const {
-        double tolerance = value_accuracy * run(std::numeric_limits<double>::infinity(), pieces_over_run).largest();
+        double tolerance =
+            value_accuracy * run(std::numeric_limits<double>::infinity(), pieces_over_run).points().largest();
         for (int round = 0;; ++round) {
             Sampling sampling = run(tolerance, pieces_over_run);
-            sampling.samples().too_fast =
-                sampling.samples().too_fast || (round + 1 == most_rounds && !sampling.integral_is_right());
-            if (sampling.integral_is_right() || sampling.samples().too_fast) {
-                return std::move(sampling.samples());
+            FormulaSamples samples = sampling.points().finished(knots_->back());
+            samples.too_fast = samples.too_fast || (round + 1 == most_rounds && !sampling.integral_is_right());
+            if (sampling.integral_is_right() || samples.too_fast) {
+                return samples;
             }
             tolerance *= 0.1;
         }
@@ -367,7 +282,6 @@ private:
             }
             sampling.follow(from, to, places_between(from, to, pieces));
         }
-        sampling.finish(knots_->back());
         return sampling;
     }
 

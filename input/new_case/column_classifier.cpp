@@ -5,15 +5,14 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "input/case_text/case_writer.hpp"
 #include "input/laps/file_laps.hpp"
-#include "input/loggers/car_columns.hpp"
 #include "input/loggers/logger_units.hpp"
+#include "input/new_case/car_candidates.hpp"
 #include "input/new_case/rig_columns.hpp"
 #include "input/text/characters.hpp"
 #include "input/text/column_names.hpp"
@@ -23,8 +22,6 @@
 namespace tiretherm::input {
 
 namespace {
-
-constexpr int behind_all = 1000;  ///< of a rank
 
 /// Classifies the headings of one file.
 class Classifier {
@@ -58,7 +55,7 @@ public:
         take_laser();
         take_of_a_rig();
         take_time_by_unit();
-        find_car_columns();
+        candidates_ = car_candidates(columns_, meanings_);
         is_car_ = looks_like_a_car();
         if (is_car_) {
             take_by_car();
@@ -75,12 +72,6 @@ public:
     }
 
 private:
-    /// A column and a thing that it may be by a rule for cars.
-    struct CarCandidate {
-        std::size_t column = 0;
-        CarColumn is{};
-    };
-
     /// Whether there are readings of several tires, or of how or where a car moves, and no load of one tire.
     [[nodiscard]] bool looks_like_a_car() const {
         std::set<std::string> corners;
@@ -132,7 +123,7 @@ private:
             const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
             const bool is_laser = has("laser") && (column.heading.unit || has("power") || has("p"));
             if (is_laser && !column.is_used() && column.reason.empty() && !taken_.contains(power->name) &&
-                suits(column.heading, power)) {
+                has_unit_for(column.heading, power)) {
                 take(column, *power);
             } else if (has("laser") && column.heading.unit == "%" && column.reason.empty()) {
                 column.reason = "how many W are 100 %?";
@@ -164,7 +155,7 @@ private:
                 column.reason = fmt::format("another column is taken for {}", is->name);
             } else if (meaning == nullptr) {
                 column.reason = no_place_for(std::string(is->name));
-            } else if (suits(column.heading, meaning)) {
+            } else if (has_unit_for(column.heading, meaning)) {
                 take(column, *meaning);
             }
         }
@@ -205,71 +196,13 @@ private:
 
     [[nodiscard]] const ColumnMeaning* meaning_of(std::string_view name) const { return find_meaning(meanings_, name); }
 
-    /// What the columns may be in the log of a car, the surest first; units of another kind rule a thing out.
-    void find_car_columns() {
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-            const Heading& heading = columns_[i].heading;
-            if (columns_[i].is_used() || !columns_[i].reason.empty() || !is_printable(heading.name)) {
-                continue;
-            }
-            for (CarColumn& is : car_columns(heading)) {
-                const ColumnMeaning* meaning = meaning_of(is.name);
-                if (!suits(heading, meaning)) {
-                    continue;
-                }
-                if (meaning != nullptr && meaning->any_unit && !is_pressure(heading)) {
-                    is.rank += behind_all;  // volts of a brake's sensor come after its bar
-                }
-                candidates_.push_back({i, std::move(is)});
-            }
-        }
-        std::ranges::stable_sort(candidates_, {}, [](const CarCandidate& candidate) { return candidate.is.rank; });
-    }
-
-    /// Whether the unit is one of this quantity, or missing. @param meaning null: a temperature, for which another mesh has a place
-    [[nodiscard]] static bool suits(const Heading& heading, const ColumnMeaning* meaning) {
-        const QuantitySpec& spec = meaning == nullptr ? quantity_specs::temperature : meaning->spec;
-        return !heading.unit || trim(*heading.unit).empty() || (meaning != nullptr && meaning->any_unit) ||
-               !read_heading_unit(heading, spec).error || !guess_unit(*heading.unit, spec.unit, spec.scale).empty();
-    }
-
-    /// Readings of one tire that are numbered without a gap are an array; its sensors are called infrared_1, infrared_2 ...
-    void find_arrays() {
-        std::map<std::string, std::map<int, std::vector<CarCandidate*>>> places;
-        for (CarCandidate& candidate : candidates_) {
-            if (candidate.is.place) {
-                places[candidate.is.corner][*candidate.is.place].push_back(&candidate);
-            }
-        }
-        for (auto& [corner, by_number] : places) {
-            const int first = by_number.begin()->first;
-            const int count = by_number.rbegin()->first - first + 1;
-            const bool whole = first <= 1 && count > 1 && std::cmp_equal(count, by_number.size()) &&
-                               (infrared_zones_ == 0 || infrared_zones_ == count) &&
-                               std::ranges::all_of(by_number, [](const auto& one) { return one.second.size() == 1; });
-            infrared_zones_ = whole ? count : infrared_zones_;
-            if (by_number.size() == 1 && by_number.begin()->second.size() == 1) {
-                continue;  // a number in the name of the only sensor
-            }
-            for (auto& [number, columns] : by_number) {
-                for (CarCandidate* candidate : columns) {
-                    if (whole) {
-                        candidate->is.name = fmt::format("infrared_{}", number - first + 1);
-                    } else {
-                        candidate->is.question = "which place across the tread?";
-                    }
-                }
-            }
-        }
+    void take_by_car() {
+        infrared_zones_ = name_arrays(candidates_);
+        ask_about_equals(candidates_);
         for (int i = 1; i <= infrared_zones_ && mesh_.name == "section"; ++i) {
             meanings_.push_back(
                 {.name = fmt::format("infrared_{}", i), .spec = quantity_specs::temperature, .is_sensor = true});
         }
-    }
-
-    void take_by_car() {
-        find_arrays();
-        ask_about_equals();
         for (const CarCandidate& candidate : candidates_) {
             LogColumn& column = columns_[candidate.column];
             if (column.is_used() || !column.reason.empty()) {
@@ -292,23 +225,6 @@ private:
             if (!column.is_used() && column.reason.empty()) {
                 column.reason = "nothing that the model knows by this name";
                 column.is_foreign = true;
-            }
-        }
-    }
-
-    /// Several readings of one tire's tread of which none is the surer: which is it?
-    void ask_about_equals() {
-        const auto meant = [](const CarCandidate& one) {
-            return std::make_tuple(one.is.name, one.is.corner, one.is.rank);
-        };
-        std::map<decltype(meant(candidates_.front())), std::set<std::size_t>> columns;
-        for (const CarCandidate& one : candidates_) {
-            columns[meant(one)].insert(one.column);
-        }
-        for (CarCandidate& one : candidates_) {
-            if (one.is.name.ends_with("surface_temperature") && one.is.question.empty() &&
-                columns.at(meant(one)).size() > 1) {
-                one.is.question = "which of several across the tread?";
             }
         }
     }

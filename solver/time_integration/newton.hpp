@@ -76,6 +76,9 @@ public:
     [[nodiscard]] std::string linear_solver() const { return factors_.current().description(); }
 
 private:
+    /// Corrections after which a balance that is solved but not closed to the last digit is taken as it is.
+    static constexpr int max_stalled = 8;
+
     /// Where an iteration stands.
     struct Progress {
         double residual = 0.0;       ///< K, scaled residual of the iterate before

@@ -10,6 +10,7 @@
 
 #include "physics/celsius.hpp"
 #include "physics/spread.hpp"
+#include "physics/tire_laws/kraus.hpp"
 #include "physics/tire_laws/measured_loss.hpp"
 
 namespace tiretherm::physics::effects {
@@ -141,18 +142,14 @@ TanDelta tan_delta_at(const ActiveEffect& active, int layer, double T_eq) {
     return {.value = value, .slope = value * law.log_slope(T_eq)};
 }
 
-/// How the loss follows the strain, over that at the reference strain: G'' = G''_inf (1 + A 2 (e/e_c)^m / (1 +
-/// (e/e_c)^2m)). Kraus, J. Appl. Polym. Sci.: Appl. Polym. Symp. 39, 1984; Ulmer, Rubber Chem. Technol. 69, 1996.
+/// How the loss follows the strain, over that at the reference strain (Kraus).
 double strain_factor(const ActiveEffect& active, const Tire& tire, const Inputs& inputs) {
-    if (active[kraus_amplitude] == 0.0) {
+    const KrausLaw law{active[kraus_amplitude], active[kraus_strain], active[kraus_exponent]};
+    if (law.amplitude == 0.0) {
         return 1.0;
     }
-    const auto loss = [&](double strain) {
-        const double x = std::pow(strain / active[kraus_strain], active[kraus_exponent]);
-        return 1.0 + active[kraus_amplitude] * 2.0 * x / (1.0 + x * x);
-    };
     const double deflection = std::max(0.0, tire.unloaded_radius - tire.loaded_radius(inputs));
-    return loss(deflection / tire.section_height) / loss(active[kraus_reference]);
+    return law.loss(deflection / tire.section_height) / law.loss(active[kraus_reference]);
 }
 
 /// Half the width of the tread along the meridian. m

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Closes the heat budget of a stage: constants by which all temperatures move, beside or after the corrections.
+#include "solver/time_integration/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "solver/time_integration/stopwatch.hpp"
+
+namespace tiretherm::solver {
+
+namespace {
+
+/// The share of the heat turned over in a stage by which its heat budget may fail to close.
+constexpr double energy_closure = 1e-11;
+/// A move of all temperatures from which the slope of the balance is learnt whatever it is. K
+constexpr double smallest_learnt = 1e-9;
+
+double sum(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+}  // namespace
+
+/// Whether the heat budget of the stage closes: the balance of the whole mesh, beside the heat turned over and the
+/// round-off of the enthalpies that it is a difference of.
+bool Newton::closes_heat_budget(const Stage& stage) const {
+    double turnover = 0.0;
+    for (const double w : system_->terms().watts) {
+        turnover += std::abs(w);
+    }
+    return std::abs(sum(residual_)) <= energy_closure * stage.s * turnover + 4e-16 * sum(enthalpy_);
+}
+
+/// Moves all temperatures alike until the heat budget closes. @returns false where that does not lead there
+bool Newton::close_by_shifts(const Stage& stage, std::span<double> T) {
+    last_shift_ = 0.0;
+    for (int shift = 0; shift < max_stalled / 2; ++shift) {
+        if (closes_heat_budget(stage)) {
+            return true;
+        }
+        shift_all(T);
+        if (!evaluate(stage, T).ok()) {
+            return false;
+        }
+    }
+    return closes_heat_budget(stage);
+}
+
+/// One correction with the matrices at hand, and the constant that closes the balance of the whole mesh. @returns the
+/// largest change, K
+double Newton::polish(std::span<double> T) {
+    const Stopwatch watch(timed_ ? &counters_.solve_seconds : nullptr);
+    last_shift_ = 0.0;
+    factors_.current().solve(residual_, correction_);
+    ++counters_.linear_iterations;
+    J_.multiply(correction_, remainder_);
+    const double left = sum(residual_) - sum(remainder_);
+    const double shift = weight_ != 0.0 ? left / weight_ : 0.0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < T.size(); ++i) {
+        T[i] += correction_[i] + shift;
+        largest = std::max(largest, std::abs(correction_[i] + shift));
+    }
+    return largest;
+}
+
+/// Moves every temperature by the constant that closes the balance of the whole mesh, whose slope is learnt from one
+/// such move to the next. @returns K
+double Newton::shift_all(std::span<double> T) {
+    const double joules = sum(residual_);
+    if (last_shift_ != 0.0) {
+        const double slope = (last_joules_ - joules) / last_shift_;
+        // Of a move near round-off only what is plausible; of a larger one anything that rises: a law may have a kink there.
+        const bool kink = std::abs(last_shift_) > smallest_learnt && slope > 0.0;
+        weight_ = kink || (slope > 0.5 * weight_ && slope < 2.0 * weight_) ? slope : weight_;
+    }
+    last_joules_ = joules;
+    last_shift_ = weight_ != 0.0 ? joules / weight_ : 0.0;
+    for (double& t : T) {
+        t += last_shift_;
+    }
+    return std::abs(last_shift_);
+}
+
+/// Shifts the correction by the constant that makes the linearised balance of the whole mesh exact. @returns its size, K
+double Newton::close_linearised_budget() {
+    J_.multiply(ones_, J_ones_);
+    weight_ = sum(J_ones_);
+    const double shift = weight_ != 0.0 ? sum(remainder_) / weight_ : 0.0;
+    double largest = 0.0;
+    for (double& change : correction_) {
+        change += shift;
+        largest = std::max(largest, std::abs(change));
+    }
+    return largest;
+}
+
+}  // namespace tiretherm::solver
