@@ -44,6 +44,14 @@ double towards_outside(const mesh::Mesh& mesh, int node) {
     return std::clamp((centre - along_meridian(mesh, node)) / half, -1.0, 1.0);
 }
 
+double half_tread(const mesh::Mesh& mesh) {
+    double reach = 0.0;
+    for (const mesh::PatchFace& face : mesh.patches[static_cast<std::size_t>(mesh.find_patch("outside"))].faces) {
+        reach = std::max({reach, std::abs(face.extent[0]), std::abs(face.extent[1])});
+    }
+    return reach;
+}
+
 void normalise(ActiveEffect& active) {
     const double total = std::accumulate(active.weights.begin(), active.weights.end(), 0.0);
     for (double& weight : active.weights) {

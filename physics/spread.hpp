@@ -22,6 +22,9 @@ inline constexpr Table contact_profile{"profile", "m", "1",
 /// inside shoulder, straight between; 0 where the mesh has no shoulders.
 [[nodiscard]] double towards_outside(const mesh::Mesh& mesh, int node);
 
+/// Half the width of the tread along the meridian. @returns m
+[[nodiscard]] double half_tread(const mesh::Mesh& mesh);
+
 /// Fills nodes and weights of an effect with the faces of its patches, by area and, on a section, by a profile of weights
 /// against arc length where one is given; with those of a field of a structural code where it has one. The weights sum to
 /// 1.

@@ -29,6 +29,7 @@
 #include "input/runs/runs.hpp"
 #include "input/studies/study.hpp"
 #include "post/report/progress.hpp"
+#include "post/report/remark_text.hpp"
 #include "post/study/study_files.hpp"
 #include "post/study/study_journal.hpp"
 #include "post/study/study_report.hpp"
@@ -115,7 +116,7 @@ bool merges(const input::Study& study, const std::filesystem::path& whole, post:
 /// @param kept a sentence on what a call that failed leaves  @returns false after a report where a file cannot be written
 bool write_page(diagnosis::StudyRecord& record, post::StudyCall call, post::StudyFiles& files,
                 const post::OutputFolder& folder, const std::string& kept, const StudyOptions& options) {
-    std::ranges::move(record.left_ranges(), std::back_inserter(record.warnings));
+    std::ranges::move(post::texts_of(record.left_ranges()), std::back_inserter(record.warnings));
     for (const std::string& key : record.without_effect()) {
         record.warnings.push_back(fmt::format("\"{}\" changed nothing: no effect that is on looks at it", key));
     }

@@ -22,6 +22,7 @@
 #include "input/text/suggestions.hpp"
 #include "input/validation/validation.hpp"
 #include "post/report/progress.hpp"
+#include "post/report/remark_text.hpp"
 #include "post/validation/validation_report.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -116,7 +117,7 @@ int validate(const ValidateOptions& options) {
         return Exit::interrupted;
     }
     std::vector<std::string> warnings = reading.warnings;
-    warnings.insert(warnings.end(), results.warnings.begin(), results.warnings.end());
+    std::ranges::move(post::texts_of(results.warnings), std::back_inserter(warnings));
     const diagnosis::ValidationRecord record{.title = table.title,
                                              .models = table.models,
                                              .rows = diagnosis::validation_rows(table, results),

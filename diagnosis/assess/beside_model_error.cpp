@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/assess/extension.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"

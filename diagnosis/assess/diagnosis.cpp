@@ -9,8 +9,6 @@
 #include <cmath>
 #include <iterator>
 
-#include <fmt/format.h>
-
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/detect/discretisation_error.hpp"
 #include "diagnosis/findings/parameter_findings.hpp"

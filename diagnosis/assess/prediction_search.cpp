@@ -7,8 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "diagnosis/assess/extension.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "physics/bracket.hpp"
 #include "physics/contact/heat_of_sliding.hpp"
 
 namespace tiretherm::diagnosis {
@@ -16,12 +17,7 @@ namespace {
 /// On the straight line between the points about a time. @param stride, offset of the values of this curve
 double value_at(std::span<const double> time, std::span<const double> value, std::size_t stride, std::size_t offset,
                 double t) {
-    const auto above = static_cast<std::size_t>(std::ranges::upper_bound(time, t) - time.begin());
-    if (above == 0 || above == time.size()) {
-        return value[(above == 0 ? 0 : above - 1) * stride + offset];
-    }
-    const double share = (t - time[above - 1]) / (time[above] - time[above - 1]);
-    return (1.0 - share) * value[(above - 1) * stride + offset] + share * value[above * stride + offset];
+    return physics::bracket(time, t).between([&](std::size_t i) { return value[i * stride + offset]; });
 }
 
 /// Times between which the inputs of a run are straight lines. @returns s, ascending

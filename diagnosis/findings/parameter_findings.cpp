@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "diagnosis/findings/finding_advice.hpp"
 #include "diagnosis/findings/sensor_kind.hpp"
 

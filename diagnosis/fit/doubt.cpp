@@ -6,8 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "input/text/word_lists.hpp"
 
 namespace tiretherm::diagnosis {

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "input/runs/continued_schedule.hpp"
 #include "solver/in_parallel.hpp"
 #include "solver/linear/petsc_factor.hpp"
@@ -40,11 +38,7 @@ void HotSpotTracker::take(const solver::Snapshot& snapshot) {
     }
 }
 
-void HotSpotTracker::visit(solver::Archive& archive) {
-    for (solver::HotSpotHistory& history : histories_) {
-        history.visit(archive);
-    }
-}
+void HotSpotTracker::visit(solver::Archive& archive) { archive(histories_); }
 
 TestMoment HotSpotTracker::moment(const solver::Problem& problem, const std::vector<solver::ScheduleStep>& steps,
                                   const solver::HotSpotHistory& history, double t) const {

@@ -9,8 +9,6 @@
 #include <limits>
 #include <numeric>
 
-#include <fmt/format.h>
-
 #include "solver/order_statistics.hpp"
 #include "solver/sensitivity/prediction.hpp"
 

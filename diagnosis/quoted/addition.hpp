@@ -32,7 +32,7 @@ struct Addition {
     std::size_t model = 0;        ///< index into Validation::models, of a mesh
     std::vector<double> nodes{};  ///< ascending values that were simulated, `absent` among them; of a mesh 0 and 1
     std::vector<std::vector<double>> changes{};  ///< [nodes][rows], in the unit of each row
-    std::string failure{};                       ///< why it could not be simulated anywhere
+    bool is_simulated = true;                    ///< anywhere but where it changes nothing
 
     /// What chi squared pays for a value: the plausible range is taken as two standard deviations about `absent`.
     [[nodiscard]] double penalty(double value) const;

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include <fmt/format.h>
-
 #include "diagnosis/quoted/next_measurement.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -128,7 +126,7 @@ private:
                 continue;
             }
             trials_.simulate(next, numbers_, applied);
-            if (next.failure.empty()) {
+            if (next.is_simulated) {
                 all.push_back(std::move(next));
             }
         }
@@ -255,10 +253,10 @@ QuotedDiagnosis diagnose_quoted(const input::Validation& validation, Trials& tri
             result.stopped = true;
             return result;
         }
-        if (addition.failure.empty()) {
+        if (addition.is_simulated) {
             alone.push_back(std::move(addition));
         } else {
-            result.not_simulated.push_back(fmt::format("{}: {}", addition.name(), addition.failure));
+            result.not_simulated.push_back(addition.name());
         }
     }
     std::vector<bool> decidable;

@@ -73,7 +73,7 @@ struct QuotedDiagnosis {
     Analysis decidable{};  ///< by the rows that `validate` can decide: the verdict
     Analysis all{};        ///< by all measured rows, with the ranges of unknown inputs as uncertainties
     std::optional<NextMeasurement> next{};
-    std::vector<std::string> not_simulated{};  ///< additions whose simulations failed, with the reason
+    std::vector<std::string> not_simulated{};  ///< names of additions of which no simulation came to its end
     long simulations = 0;
     bool stopped = false;
 };

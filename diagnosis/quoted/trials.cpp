@@ -246,7 +246,7 @@ void Trials::simulate(Addition& addition, const Numbers& numbers, const std::vec
         addition.changes.push_back(std::move(changes));
     }
     if (nodes.size() < 2) {
-        addition.failure = "no simulation with it came to its end";
+        addition.is_simulated = false;
     }
     addition.nodes = nodes;
     addition.low = std::max(addition.low, nodes.front());

@@ -33,7 +33,7 @@ std::vector<std::size_t> StudyRecord::failed() const {
     return found;
 }
 
-std::vector<std::string> left_ranges(const std::vector<std::vector<solver::RangeWarning>>& of_runs) {
+Remarks left_ranges(const std::vector<std::vector<solver::RangeWarning>>& of_runs) {
     struct Left {
         solver::RangeWarning reached;
         std::size_t runs = 0;
@@ -52,14 +52,15 @@ std::vector<std::string> left_ranges(const std::vector<std::vector<solver::Range
             ++known->runs;
         }
     }
-    std::vector<std::string> sentences;
+    Remarks all;
     for (const Left& left : laws) {
-        sentences.push_back(fmt::format("{} in {} of {} runs", left.reached.text(), left.runs, of_runs.size()));
+        all.push_back(
+            remark::left_range(left.reached.text(), static_cast<long>(left.runs), static_cast<long>(of_runs.size())));
     }
-    return sentences;
+    return all;
 }
 
-std::vector<std::string> StudyRecord::left_ranges() const {
+Remarks StudyRecord::left_ranges() const {
     std::vector<std::vector<solver::RangeWarning>> of_runs;
     std::ranges::transform(outcomes, std::back_inserter(of_runs), &StudyOutcome::warnings);
     return diagnosis::left_ranges(of_runs);

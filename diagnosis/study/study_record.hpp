@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/remarks/remark.hpp"
 #include "solver/problem.hpp"
 #include "solver/time_integration/law_ranges.hpp"
 
@@ -52,7 +53,7 @@ struct StudyColumn {
 };
 
 /// Where runs left the ranges of laws, a sentence for each law: in how many runs, and how far. @param of_runs [runs]
-[[nodiscard]] std::vector<std::string> left_ranges(const std::vector<std::vector<solver::RangeWarning>>& of_runs);
+[[nodiscard]] Remarks left_ranges(const std::vector<std::vector<solver::RangeWarning>>& of_runs);
 
 /// A study that has been run.
 struct StudyRecord {
@@ -74,7 +75,7 @@ struct StudyRecord {
 
     [[nodiscard]] std::size_t points() const { return outcomes.size() / samples; }
     [[nodiscard]] std::vector<std::size_t> failed() const;  ///< indices of the runs that failed
-    [[nodiscard]] std::vector<std::string> left_ranges() const;
+    [[nodiscard]] Remarks left_ranges() const;
     /// Keys that changed nothing: the numbers of every run are those of its neighbour with another value of the key.
     [[nodiscard]] std::vector<std::string> without_effect() const;
 };

@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-
-#include <fmt/format.h>
 
 #include "physics/celsius.hpp"
 
@@ -73,26 +70,6 @@ Chance part_passes(const StudyRecord& study, std::size_t part) {
         all = chance(all.times + here.times, all.of + here.of);
     }
     return all;
-}
-
-std::string part_text(const StudyRecord& study, std::size_t part) {
-    std::set<double> limits;
-    for (const StudyOutcome& outcome : study.outcomes) {
-        if (outcome.ok()) {
-            limits.insert(outcome.parts[part].critical);
-        }
-    }
-    return limits.size() == 1 ? fmt::format("{} above {:.6g} degC", study.parts[part], celsius(*limits.begin()))
-                              : fmt::format("{} above its critical temperature", study.parts[part]);
-}
-
-std::string point_text(const StudyRecord& study, std::size_t point) {
-    std::string text;
-    for (std::size_t side = 0; side < study.sides.size(); ++side) {
-        const StudyColumn& column = study.columns[side];
-        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", column.key, column.texts[point * study.samples]);
-    }
-    return text;
 }
 
 }  // namespace tiretherm::diagnosis

@@ -37,10 +37,4 @@ struct Chance {
 /// The same of all runs.
 [[nodiscard]] Chance part_passes(const StudyRecord& study, std::size_t part);
 
-/// "belt edge above 110 degC"; without the number where it differs between runs.
-[[nodiscard]] std::string part_text(const StudyRecord& study, std::size_t part);
-
-/// "speed = 80 km/h, camber = 2 deg": the values of a point of the grid.
-[[nodiscard]] std::string point_text(const StudyRecord& study, std::size_t point);
-
 }  // namespace tiretherm::diagnosis

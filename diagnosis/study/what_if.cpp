@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "input/text/word_lists.hpp"
 #include "solver/in_parallel.hpp"
 #include "solver/linear/petsc_factor.hpp"
@@ -28,7 +26,7 @@ void fill(WhatIfRow& row, const solver::RunEnd& end, const solver::Report& base)
         return;
     }
     if (end.report.channel_max.size() != base.channel_max.size()) {
-        row.failure = "it has other sensors";
+        row.has_other_sensors = true;
         return;
     }
     row.hottest = end.report.hottest.temperature - base.hottest.temperature;
@@ -55,7 +53,7 @@ Remark reason(const std::string& key, const solver::Problem& problem) {
 
 bool WhatIfRow::moves_nothing() const {
     const auto is_zero = [](double difference) { return difference == 0.0; };
-    return failure.empty() && is_zero(hottest) && std::ranges::all_of(highest, is_zero) &&
+    return has_values() && is_zero(hottest) && std::ranges::all_of(highest, is_zero) &&
            std::ranges::all_of(end, is_zero);
 }
 

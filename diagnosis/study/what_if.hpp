@@ -17,10 +17,13 @@ struct WhatIfRow {
     std::string change;
     std::string run{};
     std::string corner{};
-    std::string failure{};          ///< why there are no differences; empty: there are
-    double hottest = 0.0;           ///< K, of the hottest place
-    std::vector<double> highest{};  ///< [n_channels] of the maximum
-    std::vector<double> end{};      ///< [n_channels] of the last value
+    std::string failure{};           ///< of the solver; empty: the run came to its end
+    bool has_other_sensors = false;  ///< than the case: there is nothing to compare
+    double hottest = 0.0;            ///< K, of the hottest place
+    std::vector<double> highest{};   ///< [n_channels] of the maximum
+    std::vector<double> end{};       ///< [n_channels] of the last value
+
+    [[nodiscard]] bool has_values() const { return failure.empty() && !has_other_sensors; }
     [[nodiscard]] bool moves_nothing() const;
 };
 

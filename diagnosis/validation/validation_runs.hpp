@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/remarks/remark.hpp"
 #include "input/validation/validation.hpp"
 
 namespace tiretherm::diagnosis {
@@ -15,7 +16,7 @@ namespace tiretherm::diagnosis {
 struct RunResults {
     std::vector<input::Trace> traces;   ///< [runs]
     std::vector<std::string> failures;  ///< [runs] why a run has no result: "case: reason"; empty when it has
-    std::vector<std::string> warnings;  ///< laws that the runs left the ranges of
+    Remarks warnings;                   ///< laws that the runs left the ranges of
     double energy_closure = 0.0;        ///< largest of all runs that came to their end
 };
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "physics/bracket.hpp"
+
 namespace tiretherm::input {
 
 void Trace::take(const solver::Snapshot& snapshot) {
@@ -21,13 +23,7 @@ void Trace::correct(std::size_t channel, double factor, double about, double off
 }
 
 double Trace::at(std::size_t channel, double t) const {
-    const auto above = static_cast<std::size_t>(std::upper_bound(time_.begin(), time_.end(), t) - time_.begin());
-    const auto value = [&](std::size_t row) { return value_[row * width_ + channel]; };
-    if (above == 0 || above == rows()) {
-        return value(above == 0 ? 0 : rows() - 1);
-    }
-    const double w = (t - time_[above - 1]) / (time_[above] - time_[above - 1]);
-    return (1.0 - w) * value(above - 1) + w * value(above);
+    return physics::bracket(time_, t).between([&](std::size_t row) { return value_[row * width_ + channel]; });
 }
 
 std::vector<double> Trace::corners(double from, double to) const {

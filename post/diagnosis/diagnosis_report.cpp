@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A diagnosis as a report: verdict, causes with their sizes, where it shows, limits, gain and noise.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -81,19 +82,10 @@ DataTable channels(const DiagnosisRecord& record) {
 
 /// The model that a gain is measured against; empty where that is the fitted one.
 std::string base_of(const Gain& gain) {
-    switch (gain.over) {
-        case BaseModel::none:
-            break;
-        case BaseModel::correlated_noise:
-            return "the case fitted with correlated noise";
-        case BaseModel::white_noise:
-            return "the case fitted with white noise";
-        case BaseModel::as_it_stands:
-            return "the case as it stands";
-        case BaseModel::other_mesh:
-            return gain.over_mesh;
-    }
-    return "";
+    constexpr std::array<const char*, 4> words{
+        // [BaseModel]
+        "", "the case fitted with correlated noise", "the case fitted with white noise", "the case as it stands"};
+    return gain.over == BaseModel::other_mesh ? gain.over_mesh : words[static_cast<std::size_t>(gain.over)];
 }
 
 Section gain_section(const DiagnosisRecord& record, DataTable table) {

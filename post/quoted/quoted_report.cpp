@@ -287,7 +287,10 @@ Report quoted_report(const QuotedRecord& record, const std::vector<std::filesyst
     report.add(std::move(method));
     report.add(Section("Decidable numbers, before and after", row_table(result, result.decidable)));
     report.add(Section("All numbers, before and after", row_table(result, result.all)));
-    std::vector<std::string> remarks = result.not_simulated;
+    std::vector<std::string> remarks;
+    for (const std::string& addition : result.not_simulated) {
+        remarks.push_back(addition + ": no simulation with it came to its end");
+    }
     if (result.numbers.without_scale > 0) {
         remarks.push_back(fmt::format("{} left out: an order in a unit in which no uncertainty is stated.",
                                       plural(result.numbers.without_scale, "number")));

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "physics/bracket.hpp"
+
 namespace tiretherm::post {
 
 void History::take(const solver::Snapshot& snapshot) {
@@ -35,12 +37,7 @@ std::vector<double> History::channel(std::size_t index) const {
 }
 
 double History::at(std::size_t channel, double t) const {
-    const auto above = static_cast<std::size_t>(std::upper_bound(time_.begin(), time_.end(), t) - time_.begin());
-    if (above == 0 || above == rows()) {
-        return value(above == 0 ? 0 : rows() - 1, channel);
-    }
-    const double w = (t - time_[above - 1]) / (time_[above] - time_[above - 1]);
-    return (1.0 - w) * value(above - 1, channel) + w * value(above, channel);
+    return physics::bracket(time_, t).between([&](std::size_t row) { return value(row, channel); });
 }
 
 }  // namespace tiretherm::post

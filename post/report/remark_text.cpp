@@ -138,6 +138,7 @@ const std::array wordings{
     words(remark::may_read_it, "{} may read it and does not use it here"),
     words(remark::no_effect_reads_it, "no effect that is on reads it"),
     words(remark::others_would_read_it, "no effect that is on reads it; {} would"),
+    words(remark::left_range, "{} in {} of {} runs"),
 };
 static_assert(std::tuple_size_v<decltype(wordings)> == static_cast<std::size_t>(RemarkCode::count),
               "a remark has no words");

@@ -14,6 +14,7 @@
 #include "post/page/page_origin.hpp"
 #include "post/report/csv.hpp"
 #include "post/report/file.hpp"
+#include "post/report/remark_text.hpp"
 #include "post/run/run_sections.hpp"
 #include "solver/channel_unit.hpp"
 #include "solver/compared_ranges.hpp"
@@ -122,7 +123,7 @@ Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what
         page.data.set("what_if", what_if_data(*what_if, first.problem.channels));
     }
     page.appendix.push_back(citations_section(first.problem));
-    std::ranges::move(diagnosis::left_ranges(left), std::back_inserter(warnings));
+    std::ranges::move(texts_of(diagnosis::left_ranges(left)), std::back_inserter(warnings));
     page.add_warnings(std::move(warnings), extrapolations.warnings());
     page.add("Cite", "sources", first.problem.sources);
     page.add(files);

@@ -16,8 +16,37 @@ namespace {
 constexpr const char* rows_name = "run.rows";
 constexpr const char* state_name = "run.state";
 constexpr const char* draft_name = "run.state.part";
-constexpr std::size_t row_head = 3;  ///< numbers of a row before its columns: time, stored heat, whether it has a field
-constexpr std::size_t state_head = 4;  ///< of the state: rows, time, seconds, numbers of the solver
+/// What stands before the columns of a row.
+struct RowHead {
+    double time = 0.0;
+    double stored = 0.0;
+    bool has_field = false;
+};
+/// What stands before the numbers of the solver and of the follower in the state.
+struct StateHead {
+    std::size_t rows = 0;
+    double time = 0.0;
+    double seconds = 0.0;
+    std::size_t of_solver = 0;
+};
+template <typename Head>
+constexpr std::size_t length_of = solver::count_members<Head>();
+
+template <typename Head>
+Head head_of(std::span<const double> numbers) {
+    Head head;
+    solver::Archive archive = solver::Archive::reading(numbers.first(length_of<Head>));
+    archive(head);
+    return head;
+}
+template <typename Head>
+std::vector<double> numbers_of(Head head) {
+    std::vector<double> numbers;
+    solver::Archive archive = solver::Archive::writing(numbers);
+    archive(head);
+    return numbers;
+}
+
 /// The share of the time that checkpoints may take.
 constexpr double share = 0.02;
 
@@ -61,20 +90,20 @@ bool RunJournal::read() {
         return state.dropped() == 0;
     }
     const std::vector<double> numbers = state.read(0);
-    if (numbers.size() < state_head) {
+    if (numbers.size() < length_of<StateHead>) {
         return false;
     }
-    const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(state_head);
-    const auto of_solver = static_cast<double>(numbers.end() - first);
+    const auto head = head_of<StateHead>(numbers);
     rows_ = std::make_unique<RecordFile>(rows_path_, identity_);
-    if (!(numbers[0] >= 0.0 && numbers[0] <= static_cast<double>(rows_->size())) ||
-        !(numbers[3] >= 0.0 && numbers[3] <= of_solver)) {
+    const bool is_whole = std::ranges::equal(numbers_of(head), std::span(numbers).first(length_of<StateHead>));
+    if (!is_whole || head.rows > rows_->size() || head.of_solver > numbers.size() - length_of<StateHead>) {
         return false;
     }
-    const auto solver_end = first + static_cast<std::ptrdiff_t>(numbers[3]);
-    Kept kept{.rows = static_cast<std::size_t>(numbers[0]),
-              .time = numbers[1],
-              .seconds = numbers[2],
+    const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(length_of<StateHead>);
+    const auto solver_end = first + static_cast<std::ptrdiff_t>(head.of_solver);
+    Kept kept{.rows = head.rows,
+              .time = head.time,
+              .seconds = head.seconds,
               .solver = {.numbers = {first, solver_end}},
               .follower = {solver_end, numbers.end()}};
     const std::size_t bare = row_numbers();
@@ -91,7 +120,7 @@ bool RunJournal::read() {
 }
 
 std::size_t RunJournal::row_numbers() const {
-    return row_head + problem_->channels.size() + 2 * problem_->effects.size();
+    return length_of<RowHead> + problem_->channels.size() + 2 * problem_->effects.size();
 }
 
 void RunJournal::replay(const std::function<void(const solver::Snapshot&)>& take) {
@@ -100,13 +129,14 @@ void RunJournal::replay(const std::function<void(const solver::Snapshot&)>& take
     for (std::size_t r = 0; r < rows_->size(); ++r) {
         const std::vector<double> row = rows_->read(r);
         const bool field = row.size() > row_numbers();
-        const std::span<const double> all = std::span(row).subspan(row_head);
-        take({.time = row[0],
+        const auto head = head_of<RowHead>(row);
+        const std::span<const double> all = std::span(row).subspan(length_of<RowHead>);
+        take({.time = head.time,
               .temperature = field ? all.subspan(channels + 2 * effects) : std::span<const double>(),
               .channels = all.first(channels),
               .watts = all.subspan(channels, effects),
               .joules = all.subspan(channels + effects, effects),
-              .stored = row[1],
+              .stored = head.stored,
               .field = field});
     }
 }
@@ -117,8 +147,9 @@ void RunJournal::take(const solver::Snapshot& snapshot) {
         return;
     }
     const std::size_t before = waiting_.size();
-    waiting_.insert(waiting_.end(), {snapshot.time, snapshot.stored, snapshot.field ? 1.0 : 0.0});
-    for (const std::span<const double> part : {snapshot.channels, snapshot.watts, snapshot.joules}) {
+    const std::vector<double> head = numbers_of(RowHead{snapshot.time, snapshot.stored, snapshot.field});
+    for (const std::span<const double> part :
+         {std::span<const double>(head), snapshot.channels, snapshot.watts, snapshot.joules}) {
         waiting_.insert(waiting_.end(), part.begin(), part.end());
     }
     if (snapshot.field) {
@@ -143,9 +174,11 @@ void RunJournal::keep(const solver::Checkpoint& checkpoint, const std::vector<do
             rows_->append(rest.first(length));
             rest = rest.subspan(length);
         }
-        const std::vector<double> head{static_cast<double>(rows_->size()), last_time_,
-                                       seconds_before_ + seconds_between(begin_, begin),
-                                       static_cast<double>(checkpoint.numbers.size())};
+        const std::vector<double> head =
+            numbers_of(StateHead{.rows = rows_->size(),
+                                 .time = last_time_,
+                                 .seconds = seconds_before_ + seconds_between(begin_, begin),
+                                 .of_solver = checkpoint.numbers.size()});
         std::error_code error;
         std::filesystem::remove(draft_path_, error);
         RecordFile(draft_path_, identity_).append({head, checkpoint.numbers, follower});

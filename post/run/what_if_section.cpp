@@ -17,6 +17,10 @@ using diagnosis::WhatIfRow;
 
 namespace {
 
+std::string failure_of(const diagnosis::WhatIfRow& row) {
+    return row.has_other_sensors ? "it has other sensors" : row.failure;
+}
+
 constexpr std::size_t most_channels = 4;  ///< on the page; the data have all
 
 std::string unit_of(const solver::ShownUnit& unit) { return std::string_view(unit.name) == "degC" ? "K" : unit.name; }
@@ -37,8 +41,8 @@ DataTable table_of(const WhatIf& what_if, const std::vector<solver::Channel>& ch
         if (!row.corner.empty()) {
             line.push_back(page_only("corner", row.corner));
         }
-        if (!row.failure.empty()) {
-            line.push_back(page_only("hottest K", row.failure));
+        if (!row.has_values()) {
+            line.push_back(page_only("hottest K", failure_of(row)));
             table.add_to_page(std::move(line));
             continue;
         }
@@ -79,7 +83,7 @@ Section what_if_section(const WhatIf& what_if, const std::vector<solver::Channel
         if (groups.empty() || groups.back().name != called(row)) {
             groups.push_back({.name = called(row), .values = {}});
         }
-        groups.back().values.push_back(row.failure.empty() ? row.hottest : std::nan(""));
+        groups.back().values.push_back(row.has_values() ? row.hottest : std::nan(""));
     }
     if (!groups.empty()) {
         const std::vector<std::string> series = tires.size() == 1 ? std::vector<std::string>{"hottest place"} : tires;
@@ -104,8 +108,8 @@ Value what_if_data(const WhatIf& what_if, const std::vector<solver::Channel>& ch
                         {"change", row.change},
                         {"run", text_or_null(row.run)},
                         {"corner", text_or_null(row.corner)},
-                        {"failure", text_or_null(row.failure)},
-                        {"hottest", where(row.failure.empty(), row.hottest)},
+                        {"failure", text_or_null(failure_of(row))},
+                        {"hottest", where(row.has_values(), row.hottest)},
                         {"channels", std::move(sensors)}});
     }
     return {{"changes", std::move(rows)}, {"remarks", texts_of(what_if.remarks)}};

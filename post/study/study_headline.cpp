@@ -7,6 +7,7 @@
 
 #include "diagnosis/study/study_statistics.hpp"
 #include "physics/celsius.hpp"
+#include "post/study/study_names.hpp"
 #include "post/study/study_sections.hpp"
 
 namespace tiretherm::post {

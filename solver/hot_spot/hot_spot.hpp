@@ -34,27 +34,30 @@ public:
     void visit(Archive& archive);
 
     [[nodiscard]] const Critical& critical() const { return critical_; }
-    [[nodiscard]] std::size_t rows() const { return time_.size(); }
-    [[nodiscard]] const std::vector<double>& time() const { return time_; }                ///< [rows] s
-    [[nodiscard]] const std::vector<double>& temperature() const { return temperature_; }  ///< [rows] K
+    [[nodiscard]] std::size_t rows() const { return now_.time.size(); }
+    [[nodiscard]] const std::vector<double>& time() const { return now_.time; }                ///< [rows] s
+    [[nodiscard]] const std::vector<double>& temperature() const { return now_.temperature; }  ///< [rows] K
     [[nodiscard]] const std::vector<double>& surface() const {
-        return surface_;
+        return now_.surface;
     }  ///< [rows] K; NaN where there is none
-    [[nodiscard]] const HotSpotFinder::Found& found(std::size_t row) const { return found_[row]; }
+    [[nodiscard]] const HotSpotFinder::Found& found(std::size_t row) const { return now_.found[row]; }
     /// Row in which the highest temperature is reached, to 5 mK: a plateau goes on creeping. @pre rows() > 0
-    [[nodiscard]] std::size_t hottest_row() const { return hottest_row_; }
+    [[nodiscard]] std::size_t hottest_row() const { return now_.hottest_row; }
     /// Weights of the hottest place of this row, see HotSpotFinder::functional.
-    [[nodiscard]] const mesh::Functional& hottest_place() const { return hottest_place_; }
+    [[nodiscard]] const mesh::Functional& hottest_place() const { return now_.hottest_place; }
 
 private:
     Critical critical_;
     HotSpotFinder finder_;
-    std::vector<double> time_;
-    std::vector<double> temperature_;
-    std::vector<double> surface_;
-    std::vector<HotSpotFinder::Found> found_;
-    mesh::Functional hottest_place_;
-    std::size_t hottest_row_ = 0;
+    struct State {
+        std::vector<double> time;
+        std::vector<double> temperature;
+        std::vector<double> surface;
+        std::vector<HotSpotFinder::Found> found;
+        mesh::Functional hottest_place;
+        std::size_t hottest_row = 0;
+    };
+    State now_;
 };
 
 /// When a history first passes a level from below, straight between its rows; the first time where it begins above.

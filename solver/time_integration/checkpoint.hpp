@@ -3,10 +3,15 @@
 // writes and reads it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <ranges>
 #include <span>
+#include <type_traits>
 #include <vector>
+
+#include "solver/members.hpp"
 
 namespace tiretherm::solver {
 
@@ -26,47 +31,69 @@ struct Continuation {
     std::function<bool()> due{};  ///< asked before one is left; empty: always
 };
 
-/// Walks through the members of a state in one order, writing them to numbers or reading them back.
+/// Walks through a state in one order, writing it to numbers or reading it back. Of a struct it takes all members, which the compiler
+/// counts: none can be forgotten. A class with other members says itself in `visit` what its state is.
 class Archive {
 public:
     static Archive writing(std::vector<double>& numbers) { return Archive(&numbers, {}); }
     static Archive reading(std::span<const double> numbers) { return Archive(nullptr, numbers); }
 
-    void operator()(double& value) {
-        if (out_ != nullptr) {
-            out_->push_back(value);
-        } else if (next_ < in_.size()) {
-            value = in_[next_++];
-        } else {
-            short_ = true;
-        }
+    /// Lists have the length that they have on both sides.
+    template <typename Value>
+    void operator()(Value& value) {
+        take<false>(value);
     }
-    /// Whole numbers up to 2^53 and truths pass through a double unharmed.
-    template <typename Whole>
-    void whole(Whole& value) {
-        auto number = static_cast<double>(value);
-        (*this)(number);
-        value = static_cast<Whole>(number);
-    }
-    void operator()(std::vector<double>& values) {
-        for (double& value : values) {
-            (*this)(value);
-        }
+    /// The lengths of lists are part of the state.
+    template <typename Value>
+    void grown(Value& value) {
+        take<true>(value);
     }
 
     [[nodiscard]] bool is_reading() const { return out_ == nullptr; }
     /// Numbers that are left to be read.
     [[nodiscard]] std::size_t left() const { return in_.size() - next_; }
     /// Whether exactly all numbers were read.
-    [[nodiscard]] bool complete() const { return !short_ && next_ == in_.size(); }
+    [[nodiscard]] bool complete() const { return !is_short_ && next_ == in_.size(); }
 
 private:
     Archive(std::vector<double>* out, std::span<const double> in) : out_(out), in_(in) {}
 
+    template <bool grows, typename Value>
+    void take(Value& value) {
+        if constexpr (std::is_arithmetic_v<Value>) {
+            take_number(value);
+        } else if constexpr (requires { value.visit(*this); }) {
+            value.visit(*this);
+        } else if constexpr (std::ranges::range<Value>) {
+            if constexpr (grows && requires { value.resize(0); }) {
+                std::size_t length = value.size();
+                take_number(length);
+                value.resize(is_reading() ? std::min(length, left()) : length);  // a damaged archive will be refused
+            }
+            for (auto& item : value) {
+                take<grows>(item);
+            }
+        } else {
+            for_each_member(value, [this](auto& member) { take<grows>(member); });
+        }
+    }
+
+    /// Whole numbers up to 2^53 and truths pass through a double unharmed.
+    template <typename Number>
+    void take_number(Number& value) {
+        if (out_ != nullptr) {
+            out_->push_back(static_cast<double>(value));
+        } else if (next_ < in_.size()) {
+            value = static_cast<Number>(in_[next_++]);
+        } else {
+            is_short_ = true;
+        }
+    }
+
     std::vector<double>* out_;
     std::span<const double> in_;
     std::size_t next_ = 0;
-    bool short_ = false;
+    bool is_short_ = false;
 };
 
 }  // namespace tiretherm::solver

@@ -82,17 +82,13 @@ std::string KeptFactors::renew(const Matrix& A, double s, std::span<const double
 }
 
 void KeptFactors::visit(Archive& archive) {
-    archive.whole(uses_);
+    archive(uses_);
     archive(reach_);
     long current = now_ - kept_.data();
-    archive.whole(current);
+    archive(current);
     now_ = &kept_[static_cast<std::size_t>(std::clamp(current, 0L, static_cast<long>(kept_.size()) - 1))];
     for (Kept& kept : kept_) {
-        archive(kept.s);
-        archive(kept.excess_solves);
-        archive.whole(kept.least_solves);
-        archive.whole(kept.least_corrections);
-        archive.whole(kept.last_used);
+        archive(static_cast<Use&>(kept));
         if (!(kept.s > 0.0)) {
             continue;
         }

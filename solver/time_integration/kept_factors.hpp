@@ -50,14 +50,17 @@ public:
     void visit(Archive& archive);
 
 private:
-    struct Kept {
-        std::unique_ptr<Factor> factor;
-        double s = 0.0;  ///< s, 0: not factorised
-        std::vector<double> compliance;
+    /// What is known of a factor, all of it part of a checkpoint.
+    struct Use {
+        double s = 0.0;              ///< s, 0: not factorised
         int least_solves = 0;        ///< of the first correction; 0: not yet known
         int least_corrections = 0;   ///< of the first simplified iteration
         double excess_solves = 0.0;  ///< solves beyond the least
         long last_used = 0;
+    };
+    struct Kept : Use {
+        std::unique_ptr<Factor> factor;
+        std::vector<double> compliance;
     };
     [[nodiscard]] bool reaches(const Kept& kept, double s) const {
         return kept.s > 0.0 && reach_ * s > kept.s && s < reach_ * kept.s;

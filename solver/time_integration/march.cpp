@@ -86,17 +86,13 @@ private:
 
     /// Everything that the rest of the run depends on, in one order for writing and reading.
     void visit(Archive& archive) {
-        stepper_.visit(archive);
-        sampler_.visit(archive);
-        archive(wanted_);
-        archive.whole(fresh_);
-        archive.whole(hold_);
-        archive.whole(report_.steps);
-        archive.whole(report_.rejected);
+        archive(stepper_);
+        archive(sampler_);
+        archive(now_);
+        archive(report_.steps);
+        archive(report_.rejected);
         for (Report::Extreme* extreme : {&report_.hottest, &report_.coldest}) {
-            archive(extreme->temperature);
-            archive(extreme->time);
-            archive.whole(extreme->node);
+            archive(*extreme);
         }
         for (std::vector<double>* values :
              {&report_.hottest_field, &report_.channel_final, &report_.channel_min, &report_.channel_max}) {
@@ -125,7 +121,7 @@ private:
         const Settings& settings = problem_.settings;
         const StepControl control(settings, tableau(settings.method).order);
         const double smallest = 1e-10 * (settings.end - settings.start);
-        wanted_ = settings.fixed_step.value_or(wanted_);
+        now_.wanted = settings.fixed_step.value_or(now_.wanted);
         while (stepper_.time() < settings.end - smallest) {
             if (stop_requested()) {  // also between rows that are far apart, and where steps are refused without end
                 static_cast<void>(sampler_.show());
@@ -133,25 +129,26 @@ private:
             }
             const double t = stepper_.time();
             const double stop = next_stop(t);
-            if (fresh_ && !settings.fixed_step) {
+            if (now_.fresh && !settings.fixed_step) {
                 // Ten tolerances of change, were the present rate to last.
                 const double rate = stepper_.steepest_rate();
                 const double first = rate > 0.0 ? 10.0 * settings.tolerance / rate : stop - t;
-                wanted_ = wanted_ > 0.0 ? std::min(wanted_, first) : first;
+                now_.wanted = now_.wanted > 0.0 ? std::min(now_.wanted, first) : first;
             }
-            fresh_ = false;
-            wanted_ = settings.fixed_step ? wanted_ : std::min(wanted_, settings.largest_step.value_or(wanted_));
+            now_.fresh = false;
+            now_.wanted =
+                settings.fixed_step ? now_.wanted : std::min(now_.wanted, settings.largest_step.value_or(now_.wanted));
             // Of a short step after a long time the smallest one is a large part: a refused step would be tried for ever.
-            const double slack = std::min(smallest, 0.01 * wanted_);
-            double t1 = settings.fixed_step ? t + wanted_ : on_sample(t, t + wanted_, slack);
+            const double slack = std::min(smallest, 0.01 * now_.wanted);
+            double t1 = settings.fixed_step ? t + now_.wanted : on_sample(t, t + now_.wanted, slack);
             if (t1 > stop - slack) {
                 t1 = stop;
-            } else if (!settings.fixed_step && t1 + wanted_ > stop) {
+            } else if (!settings.fixed_step && t1 + now_.wanted > stop) {
                 t1 = 0.5 * (t + stop);  // two equal steps rather than a whole one and a sliver
             }
             if (!(t1 > t)) {  // less than the time's last digit
                 return stepper_.failure_at_largest_error(
-                    fmt::format("the step of {:.1e} s is too short beside the time of {:.6g} s", wanted_, t));
+                    fmt::format("the step of {:.1e} s is too short beside the time of {:.6g} s", now_.wanted, t));
             }
             const bool closed = settings.fixed_step || t1 > settings.end - smallest;
             Stepper::Attempt attempt = stepper_.attempt(t1, closed);
@@ -163,27 +160,27 @@ private:
                     }
                     return std::move(attempt.status);
                 }
-                wanted_ = 0.25 * (t1 - t);
+                now_.wanted = 0.25 * (t1 - t);
                 continue;
             }
             if (!settings.fixed_step) {
                 const double factor = control.factor(attempt.error);
                 if (!control.accepts(attempt.error)) {
                     ++report_.rejected;
-                    hold_ = problem_.input_signals.samples().empty() ? 0 : rough_steps;
-                    wanted_ = std::min(factor, 0.8) * (t1 - t);
-                    if (wanted_ < smallest) {
+                    now_.hold = problem_.input_signals.samples().empty() ? 0 : rough_steps;
+                    now_.wanted = std::min(factor, 0.8) * (t1 - t);
+                    if (now_.wanted < smallest) {
                         return stepper_.failure_at_largest_error(
-                            fmt::format("the step shrank to {:.1e} s without reaching the tolerance of {} K", wanted_,
-                                        settings.tolerance));
+                            fmt::format("the step shrank to {:.1e} s without reaching the tolerance of {} K",
+                                        now_.wanted, settings.tolerance));
                     }
                     continue;
                 }
                 // A step cut short by a stop says nothing against the size that was wanted.
-                wanted_ = std::max(factor * (t1 - t), t1 - t < wanted_ ? wanted_ : 0.0);
-                if (hold_ > 0) {
-                    --hold_;
-                    wanted_ = std::min(wanted_, t1 - t);
+                now_.wanted = std::max(factor * (t1 - t), t1 - t < now_.wanted ? now_.wanted : 0.0);
+                if (now_.hold > 0) {
+                    --now_.hold;
+                    now_.wanted = std::min(now_.wanted, t1 - t);
                 }
             }
             stepper_.accept();
@@ -193,7 +190,7 @@ private:
             if (!sampler_.advance()) {
                 return stopped();
             }
-            fresh_ = jumps_at(stepper_.time());
+            now_.fresh = jumps_at(stepper_.time());
             leave_checkpoint();
         }
         return {};
@@ -283,9 +280,12 @@ private:
     OutputSampler sampler_;
     Report report_;
     Checkpoint checkpoint_;
-    double wanted_ = 0.0;  ///< s, size of the next step
-    int hold_ = 0;         ///< steps to come that do not grow
-    bool fresh_ = true;    ///< at the start and after a jump the step is chosen anew
+    struct State {
+        double wanted = 0.0;  ///< s, size of the next step
+        int hold = 0;         ///< steps to come that do not grow
+        bool fresh = true;    ///< at the start and after a jump the step is chosen anew
+    };
+    State now_;
 };
 
 }  // namespace

@@ -74,7 +74,7 @@ double Newton::scaled_residual() {
         const double scaled = std::abs(residual_[i]) / A_.value[static_cast<std::size_t>(p.diagonal[i])];
         if (scaled > worst) {
             worst = scaled;
-            worst_node_ = static_cast<int>(i);
+            now_.worst_node = static_cast<int>(i);
         }
     }
     return worst;
@@ -87,8 +87,8 @@ Status Newton::prepare(const Stage& stage) {
 }
 
 Status Newton::renew(const Stage& stage) {
-    const Stopwatch watch(timed_ ? &counters_.factor_seconds : nullptr);
-    ++counters_.factorisations;
+    const Stopwatch watch(timed_ ? &now_.counters.factor_seconds : nullptr);
+    ++now_.counters.factorisations;
     const physics::Terms& terms = system_->terms();
     for (std::size_t i = 0; i < compliance_.size(); ++i) {
         compliance_[i] = system_->has_capacity(i)
@@ -102,14 +102,14 @@ Status Newton::renew(const Stage& stage) {
 }
 
 void Newton::assemble(const Stage& stage) {
-    const Stopwatch watch(timed_ ? &counters_.assembly_seconds : nullptr);
+    const Stopwatch watch(timed_ ? &now_.counters.assembly_seconds : nullptr);
     system_->matrices(stage.s, stage.steady, A_, J_);
 }
 
 /// The balance at T, and its residual; not done when it is not a number or an effect gave a negative conductance.
 Status Newton::evaluate(const Stage& stage, std::span<const double> T) {
     {
-        const Stopwatch watch(timed_ ? &counters_.assembly_seconds : nullptr);
+        const Stopwatch watch(timed_ ? &now_.counters.assembly_seconds : nullptr);
         system_->evaluate(T, stage.coefficients);
         find_residual(stage, T);
     }
@@ -137,8 +137,8 @@ bool Newton::is_small(const Progress& progress, double residual, double toleranc
 
 /// The first solve with a new factor sets what a solve costs; more than that is owed to the factor's age.
 void Newton::count_solves(const Krylov::Result& result) {
-    counters_.linear_iterations += result.solves;
-    ++counters_.newton_iterations;
+    now_.counters.linear_iterations += result.solves;
+    ++now_.counters.newton_iterations;
     factors_.count_solves(result.solves);
     if (!result.converged) {
         factors_.wear_out();
@@ -163,7 +163,7 @@ Status Newton::correct(const Stage& stage, std::span<double> T, Progress& progre
     if (Status status = prepare(stage); !status.ok()) {
         return status;
     }
-    const Stopwatch watch(timed_ ? &counters_.solve_seconds : nullptr);
+    const Stopwatch watch(timed_ ? &now_.counters.solve_seconds : nullptr);
     const bool linear = !system_->terms().nonlinear && !has_nonlinear_capacity_;
     const Krylov::Result result = krylov_.solve(J_, factors_.current(), residual_, correction_, remainder_,
                                                 0.5 * stage.tolerance, linear ? 0.0 : forcing);
@@ -223,26 +223,19 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
                                    "the step is too long: its heat balance leads below the absolute zero",
                                    static_cast<int>(lowest - T.begin()), stage.time, T, stage.coefficients);
     }
-    return system_->failure_at(Outcome::not_converged, "the heat balance did not converge", worst_node_, stage.time, T,
-                               stage.coefficients);
+    return system_->failure_at(Outcome::not_converged, "the heat balance did not converge", now_.worst_node, stage.time,
+                               T, stage.coefficients);
 }
 
 void Newton::visit(Archive& archive) {
-    for (double* number : {&weight_, &last_shift_, &last_joules_, &counters_.assembly_seconds,
-                           &counters_.factor_seconds, &counters_.solve_seconds}) {
-        archive(*number);
-    }
-    for (long* count : {&counters_.newton_iterations, &counters_.linear_iterations, &counters_.factorisations}) {
-        archive.whole(*count);
-    }
-    archive.whole(worst_node_);
-    factors_.visit(archive);
+    archive(now_);
+    archive(factors_);
 }
 
 void Newton::filter(std::span<const double> b, std::span<double> x) {
-    const Stopwatch watch(timed_ ? &counters_.solve_seconds : nullptr);
+    const Stopwatch watch(timed_ ? &now_.counters.solve_seconds : nullptr);
     const int solves = factors_.current().solve_to(one_digit, b, x);
-    counters_.linear_iterations += std::max(1, solves);
+    now_.counters.linear_iterations += std::max(1, solves);
     if (solves < 0) {
         factors_.current().solve(b, x);
     }

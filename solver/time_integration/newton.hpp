@@ -70,7 +70,7 @@ public:
     /// Solves that others needed because the factor is old count when a new one is weighed up.
     void add_excess_solves(double solves) { factors_.add_excess_solves(solves); }
 
-    [[nodiscard]] const Counters& counters() const { return counters_; }
+    [[nodiscard]] const Counters& counters() const { return now_.counters; }
     /// Leaves the seconds of the parts uncounted: in real time, looking at the clock costs as much as a small effect.
     void stop_timing() { timed_ = false; }
     [[nodiscard]] std::string linear_solver() const { return factors_.current().description(); }
@@ -134,11 +134,15 @@ private:
     std::vector<SurfaceFace> surface_faces_;
     std::vector<double> trial_;  ///< K, of a search along a correction
     bool has_nonlinear_capacity_ = false;
-    int worst_node_ = 0;
-    double weight_ = 0.0;      ///< J/K, what the balance of the whole mesh changes by when every temperature does
-    double last_shift_ = 0.0;  ///< K, and the imbalance that it was for
-    double last_joules_ = 0.0;
-    Counters counters_;
+    /// What later stages depend on, beside the factors.
+    struct State {
+        int worst_node = 0;
+        double weight = 0.0;      ///< J/K, what the balance of the whole mesh changes by when every temperature does
+        double last_shift = 0.0;  ///< K, and the imbalance that it was for
+        double last_joules = 0.0;
+        Counters counters;
+    };
+    State now_;
     bool timed_ = true;
 };
 

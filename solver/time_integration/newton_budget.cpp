@@ -33,7 +33,7 @@ bool Newton::closes_heat_budget(const Stage& stage) const {
 
 /// Moves all temperatures alike until the heat budget closes. @returns false where that does not lead there
 bool Newton::close_by_shifts(const Stage& stage, std::span<double> T) {
-    last_shift_ = 0.0;
+    now_.last_shift = 0.0;
     for (int shift = 0; shift < max_stalled / 2; ++shift) {
         if (closes_heat_budget(stage)) {
             return true;
@@ -49,13 +49,13 @@ bool Newton::close_by_shifts(const Stage& stage, std::span<double> T) {
 /// One correction with the matrices at hand, and the constant that closes the balance of the whole mesh. @returns the
 /// largest change, K
 double Newton::polish(std::span<double> T) {
-    const Stopwatch watch(timed_ ? &counters_.solve_seconds : nullptr);
-    last_shift_ = 0.0;
+    const Stopwatch watch(timed_ ? &now_.counters.solve_seconds : nullptr);
+    now_.last_shift = 0.0;
     factors_.current().solve(residual_, correction_);
-    ++counters_.linear_iterations;
+    ++now_.counters.linear_iterations;
     J_.multiply(correction_, remainder_);
     const double left = sum(residual_) - sum(remainder_);
-    const double shift = weight_ != 0.0 ? left / weight_ : 0.0;
+    const double shift = now_.weight != 0.0 ? left / now_.weight : 0.0;
     double largest = 0.0;
     for (std::size_t i = 0; i < T.size(); ++i) {
         T[i] += correction_[i] + shift;
@@ -68,25 +68,25 @@ double Newton::polish(std::span<double> T) {
 /// such move to the next. @returns K
 double Newton::shift_all(std::span<double> T) {
     const double joules = sum(residual_);
-    if (last_shift_ != 0.0) {
-        const double slope = (last_joules_ - joules) / last_shift_;
+    if (now_.last_shift != 0.0) {
+        const double slope = (now_.last_joules - joules) / now_.last_shift;
         // Of a move near round-off only what is plausible; of a larger one anything that rises: a law may have a kink there.
-        const bool kink = std::abs(last_shift_) > smallest_learnt && slope > 0.0;
-        weight_ = kink || (slope > 0.5 * weight_ && slope < 2.0 * weight_) ? slope : weight_;
+        const bool kink = std::abs(now_.last_shift) > smallest_learnt && slope > 0.0;
+        now_.weight = kink || (slope > 0.5 * now_.weight && slope < 2.0 * now_.weight) ? slope : now_.weight;
     }
-    last_joules_ = joules;
-    last_shift_ = weight_ != 0.0 ? joules / weight_ : 0.0;
+    now_.last_joules = joules;
+    now_.last_shift = now_.weight != 0.0 ? joules / now_.weight : 0.0;
     for (double& t : T) {
-        t += last_shift_;
+        t += now_.last_shift;
     }
-    return std::abs(last_shift_);
+    return std::abs(now_.last_shift);
 }
 
 /// Shifts the correction by the constant that makes the linearised balance of the whole mesh exact. @returns its size, K
 double Newton::close_linearised_budget() {
     J_.multiply(ones_, J_ones_);
-    weight_ = sum(J_ones_);
-    const double shift = weight_ != 0.0 ? sum(remainder_) / weight_ : 0.0;
+    now_.weight = sum(J_ones_);
+    const double shift = now_.weight != 0.0 ? sum(remainder_) / now_.weight : 0.0;
     double largest = 0.0;
     for (double& change : correction_) {
         change += shift;

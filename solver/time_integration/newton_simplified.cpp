@@ -90,10 +90,10 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
         if (!kept && correction == 1 && !renew_for(stage)) {
             return false;
         }
-        const Stopwatch watch(timed_ ? &counters_.solve_seconds : nullptr);
+        const Stopwatch watch(timed_ ? &now_.counters.solve_seconds : nullptr);
         const int solves = factors_.current().solve_to(accuracy, residual_, correction_);
-        counters_.linear_iterations += std::max(1, solves);
-        ++counters_.newton_iterations;
+        now_.counters.linear_iterations += std::max(1, solves);
+        ++now_.counters.newton_iterations;
         if (solves < 0) {
             return false;
         }
@@ -135,7 +135,7 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
 /// A factor of A at this evaluation: for one that costs no more than a solve. @returns false where A has none
 bool Newton::renew_for(const Stage& stage) {
     {
-        const Stopwatch watch(timed_ ? &counters_.assembly_seconds : nullptr);
+        const Stopwatch watch(timed_ ? &now_.counters.assembly_seconds : nullptr);
         system_->symmetric_matrix(stage.s, stage.steady, A_);
     }
     return renew(stage).ok();
@@ -147,9 +147,9 @@ bool Newton::solve_simplified(const Stage& stage, std::span<double> T) {
         return false;
     }
     std::ranges::copy(T, guess_.begin());
-    const long before = counters_.newton_iterations;
+    const long before = now_.counters.newton_iterations;
     const bool solved = correct_simplified(stage, T) && (!stage.closed || close_by_shifts(stage, T));
-    factors_.count_corrections(static_cast<int>(counters_.newton_iterations - before));
+    factors_.count_corrections(static_cast<int>(now_.counters.newton_iterations - before));
     if (solved) {
         return true;
     }

@@ -14,6 +14,12 @@
 
 namespace tiretherm::solver {
 
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
 OutputSampler::OutputSampler(const Problem& problem, const Observer& observer, const Stepper& stepper)
     : problem_(&problem),
       observer_(&observer),
@@ -24,12 +30,12 @@ OutputSampler::OutputSampler(const Problem& problem, const Observer& observer, c
       field_(problem.initial),
       watts_(problem.effects.size()),
       joules_(problem.effects.size()),
-      coldest_(problem.effects.size(), std::numeric_limits<double>::infinity()),
-      hottest_(problem.effects.size(), -std::numeric_limits<double>::infinity()),
-      layer_extremes_(problem.mesh.layers.size(), LayerExtremes{.coldest = std::numeric_limits<double>::infinity(),
-                                                                .hottest = -std::numeric_limits<double>::infinity()}),
-      next_output_(output_time(1)),
-      next_field_(problem.settings.start + problem.settings.field_interval) {}
+      now_{.next_output = output_time(1),
+           .next_field = problem.settings.start + problem.settings.field_interval,
+           .coldest = std::vector<double>(problem.effects.size(), infinity),
+           .hottest = std::vector<double>(problem.effects.size(), -infinity),
+           .layer_extremes =
+               std::vector<LayerExtremes>(problem.mesh.layers.size(), {.coldest = infinity, .hottest = -infinity})} {}
 
 void OutputSampler::begin_sensor_outputs() {
     const double t = stepper_->time();
@@ -61,7 +67,7 @@ void OutputSampler::watch(Report& report) {
             report.coldest = {T[n], stepper_->time(), static_cast<int>(n)};
         }
         if (const int layer = problem_->mesh.layer[n]; layer >= 0) {
-            LayerExtremes& of_layer = layer_extremes_[static_cast<std::size_t>(layer)];
+            LayerExtremes& of_layer = now_.layer_extremes[static_cast<std::size_t>(layer)];
             of_layer.coldest = std::min(of_layer.coldest, T[n]);
             of_layer.hottest = std::max(of_layer.hottest, T[n]);
         }
@@ -74,14 +80,14 @@ void OutputSampler::watch(Report& report) {
         }
         for (const int patch : active.patches) {
             for (const mesh::PatchFace& face : problem_->mesh.patches[static_cast<std::size_t>(patch)].faces) {
-                coldest_[e] = std::min(coldest_[e], T[static_cast<std::size_t>(face.node)]);
-                hottest_[e] = std::max(hottest_[e], T[static_cast<std::size_t>(face.node)]);
+                now_.coldest[e] = std::min(now_.coldest[e], T[static_cast<std::size_t>(face.node)]);
+                now_.hottest[e] = std::max(now_.hottest[e], T[static_cast<std::size_t>(face.node)]);
             }
         }
-        for (const LayerExtremes& of_layer : layer_extremes_) {
+        for (const LayerExtremes& of_layer : now_.layer_extremes) {
             if (active.patches.empty()) {
-                coldest_[e] = std::min(coldest_[e], of_layer.coldest);
-                hottest_[e] = std::max(hottest_[e], of_layer.hottest);
+                now_.coldest[e] = std::min(now_.coldest[e], of_layer.coldest);
+                now_.hottest[e] = std::max(now_.hottest[e], of_layer.hottest);
             }
         }
     }
@@ -105,12 +111,12 @@ std::vector<RangeWarning> OutputSampler::range_warnings() const {
         const physics::ActiveEffect& active = problem_->effects[e];
         const physics::HeatEffect* heat = active.effect->heat_effect();
         if (heat != nullptr && heat->range_warning != nullptr) {
-            if (std::string law = heat->range_warning(active, coldest_[e], hottest_[e]); !law.empty()) {
-                warnings.push_back({.law = std::move(law), .coldest = coldest_[e], .hottest = hottest_[e]});
+            if (std::string law = heat->range_warning(active, now_.coldest[e], now_.hottest[e]); !law.empty()) {
+                warnings.push_back({.law = std::move(law), .coldest = now_.coldest[e], .hottest = now_.hottest[e]});
             }
         }
     }
-    std::ranges::move(law_range_warnings(problem_->mesh, stepper_->system().material_model(), layer_extremes_),
+    std::ranges::move(law_range_warnings(problem_->mesh, stepper_->system().material_model(), now_.layer_extremes),
                       std::back_inserter(warnings));
     return warnings;
 }
@@ -153,15 +159,15 @@ bool OutputSampler::advance() {
         return emit_state(field_due(t) || at_end);
     }
     const double slack = 1e-9 * settings.output_interval;
-    while (next_output_ < t - slack) {
-        if (!emit_inside_step(next_output_)) {
+    while (now_.next_output < t - slack) {
+        if (!emit_inside_step(now_.next_output)) {
             return false;
         }
-        next_output_ = output_time(++outputs_);
+        now_.next_output = output_time(++now_.outputs);
     }
-    const bool due = next_output_ <= t + slack;
+    const bool due = now_.next_output <= t + slack;
     if (due) {
-        next_output_ = output_time(++outputs_);
+        now_.next_output = output_time(++now_.outputs);
     }
     return !(due || at_end) || emit_state(field_due(t) || at_end);
 }
@@ -174,24 +180,16 @@ double OutputSampler::output_time(long index) const {
 bool OutputSampler::field_due(double t) {
     const Settings& settings = problem_->settings;
     const double interval = settings.field_interval;
-    if (interval <= 0.0 || t < next_field_ - 1e-9 * interval) {
+    if (interval <= 0.0 || t < now_.next_field - 1e-9 * interval) {
         return false;
     }
-    next_field_ = settings.start + interval * (std::floor((t - settings.start) / interval + 1e-9) + 1.0);
+    now_.next_field = settings.start + interval * (std::floor((t - settings.start) / interval + 1e-9) + 1.0);
     return true;
 }
 
 void OutputSampler::visit(Archive& archive) {
-    archive(next_output_);
-    archive(next_field_);
-    archive.whole(outputs_);
-    sensor_outputs_.visit(archive);
-    archive(coldest_);
-    archive(hottest_);
-    for (LayerExtremes& of_layer : layer_extremes_) {
-        archive(of_layer.coldest);
-        archive(of_layer.hottest);
-    }
+    archive(now_);
+    archive(sensor_outputs_);
 }
 
 }  // namespace tiretherm::solver

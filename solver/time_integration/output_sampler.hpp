@@ -55,12 +55,16 @@ private:
     std::vector<double> field_;
     std::vector<double> watts_;
     std::vector<double> joules_;
-    std::vector<double> coldest_;  ///< [n_effects] K, on the patches of an effect with a range warning
-    std::vector<double> hottest_;
-    std::vector<LayerExtremes> layer_extremes_;  ///< [n_layers]
-    double next_output_;
-    double next_field_;
-    long outputs_ = 1;  ///< rows at output times so far, the start included
+    /// What later rows and warnings depend on, beside the sensors' own state.
+    struct State {
+        double next_output = 0.0;     ///< s
+        double next_field = 0.0;      ///< s
+        long outputs = 1;             ///< rows at output times so far, the start included
+        std::vector<double> coldest;  ///< [n_effects] K, on the patches of an effect with a range warning
+        std::vector<double> hottest;
+        std::vector<LayerExtremes> layer_extremes;  ///< [n_layers]
+    };
+    State now_;
     double seconds_ = 0.0;
 };
 

@@ -232,18 +232,8 @@ SensorOutputs::Form SensorOutputs::form(std::size_t channel, std::span<const Sta
 void SensorOutputs::visit(Archive& archive) {
     archive(gas_start_);
     for (Chain& chain : chains_) {
-        int n = static_cast<int>(chain.past.size());
-        archive.whole(n);
-        if (archive.is_reading()) {
-            n = std::min(n,
-                         static_cast<int>(std::min<std::size_t>(archive.left(), 1U << 30U)));  // of a damaged archive
-        }
-        chain.past.resize(static_cast<std::size_t>(std::max(n, 1)));
-        for (Piece& piece : chain.past) {
-            for (double* number : {&piece.begin, &piece.end, &piece.a, &piece.b, &piece.c, &piece.lagged}) {
-                archive(*number);
-            }
-        }
+        archive.grown(chain.past);
+        chain.past.resize(std::max<std::size_t>(chain.past.size(), 1));  // of a damaged archive
     }
 }
 

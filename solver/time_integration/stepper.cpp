@@ -31,26 +31,24 @@ Stepper::Stepper(const Problem& problem, KeptForcing* kept)
       system_(problem),
       tableau_(&tableau(problem.settings.method)),
       forcing_(system_, problem.input_signals, *tableau_, kept),
-      newton_(system_),
-      time_(problem.settings.start),
-      step_begin_(problem.settings.start),
-      tried_(problem.settings.start) {
+      newton_(system_) {
+    now_.time = now_.step_begin = now_.tried = problem.settings.start;
     const std::size_t n = at(system_.size());
     const std::size_t stages = at(tableau_->stages);
     const std::size_t effects = problem.effects.size();
     const std::vector<double> initial = system_.initial();
     T_.assign(stages + 1, initial);
-    last_.assign(stages, initial);
+    now_.last.assign(stages, initial);
     stages_.resize(stages);
     q_.assign(stages, std::vector<double>(n));
     stage_watts_.assign(stages, std::vector<double>(effects));
-    end_q_.resize(n);
-    end_watts_.resize(effects);
-    end_coefficients_.resize(system_.n_coefficients());
-    for (std::vector<double>* v : {&left_, &known_, &H_, &H_start_, &error_heat_, &error_}) {
+    now_.end_q.resize(n);
+    now_.end_watts.resize(effects);
+    now_.end_coefficients.resize(system_.n_coefficients());
+    for (std::vector<double>* v : {&now_.left, &known_, &H_, &H_start_, &error_heat_, &error_}) {
         v->resize(n);
     }
-    for (std::vector<double>* v : {&watts_, &joules_, &joules_before_}) {
+    for (std::vector<double>* v : {&now_.watts, &now_.joules, &joules_before_}) {
         v->resize(effects);
     }
     system_.enthalpy(initial, H_start_);
@@ -82,12 +80,12 @@ void Stepper::predict(int stage, double dt) {
     const std::vector<double>& now = T_[1];
     if (stage == 1) {
         guess = now;
-        const double width = time_ - step_begin_;
+        const double width = now_.time - now_.step_begin;
         const double c = tableau_->c[at(tableau_->stages) - 2];
-        if (has_history_ && width > 0.0) {
+        if (now_.has_history && width > 0.0) {
             const double rate = tableau_->c[1] * dt / ((1.0 - c) * width);
-            const std::vector<double>& before = last_[at(tableau_->stages) - 2];
-            const std::vector<double>& end = last_[at(tableau_->stages) - 1];
+            const std::vector<double>& before = now_.last[at(tableau_->stages) - 2];
+            const std::vector<double>& end = now_.last[at(tableau_->stages) - 1];
             for (std::size_t i = 0; i < guess.size(); ++i) {
                 const double onward = guess[i] + rate * (end[i] - before[i]);
                 guess[i] = onward > 0.2 * guess[i] ? onward : guess[i];
@@ -103,7 +101,7 @@ void Stepper::predict(int stage, double dt) {
 }
 
 Stepper::Attempt Stepper::attempt(double t1, bool closed) {
-    forcing_.open(time_, t1);
+    forcing_.open(now_.time, t1);
     return attempt_in_window(t1, closed);
 }
 
@@ -113,21 +111,21 @@ Stepper::Attempt Stepper::attempt(double t1, const physics::Inputs& from, const 
 }
 
 Stepper::Attempt Stepper::attempt_in_window(double t1, bool closed) {
-    const double dt = t1 - time_;
-    tried_ = t1;
+    const double dt = t1 - now_.time;
+    now_.tried = t1;
 
     // The explicit stage. Where the inputs go on as they were, it is the last stage of the step before; otherwise the
     // surface nodes first follow the inputs, which may have jumped.
     T_[1] = T_[0];
-    if (end_is_known_ && std::ranges::equal(forcing_.stage(0), end_coefficients_)) {
-        q_[0] = end_q_;
-        stage_watts_[0] = end_watts_;
+    if (now_.end_is_known && std::ranges::equal(forcing_.stage(0), now_.end_coefficients)) {
+        q_[0] = now_.end_q;
+        stage_watts_[0] = now_.end_watts;
         return attempt_stages(dt, closed);
     }
     system_.make_consistent(T_[1], forcing_.stage(0));
     if (const int bad = system_.first_not_finite(); bad >= 0) {
-        return {.status = system_.failure_at(Outcome::not_finite, "the heat balance is not a number", bad, time_, T_[1],
-                                             forcing_.stage(0)),
+        return {.status = system_.failure_at(Outcome::not_finite, "the heat balance is not a number", bad, now_.time,
+                                             T_[1], forcing_.stage(0)),
                 .error = 0.0};
     }
     update_heat_budget(0);
@@ -146,7 +144,7 @@ Stepper::Attempt Stepper::attempt_stages(double dt, bool closed) {
     for (int i = 1; i < tableau_->stages; ++i) {
         predict(i, dt);
         for (std::size_t n = 0; n < known_.size(); ++n) {
-            known_[n] = H_[n] + left_[n];
+            known_[n] = H_[n] + now_.left[n];
         }
         for (int j = 0; j < i; ++j) {
             add(dt * tableau_->a[at(i)][at(j)], q_[at(j)], known_);
@@ -154,7 +152,7 @@ Stepper::Attempt Stepper::attempt_stages(double dt, bool closed) {
         Status status = newton_.solve({.s = dt * tableau_->diagonal,
                                        .known = known_,
                                        .coefficients = forcing_.stage(i),
-                                       .time = time_ + tableau_->c[at(i)] * dt,
+                                       .time = now_.time + tableau_->c[at(i)] * dt,
                                        .tolerance = newton_share * problem_->settings.tolerance,
                                        .closed = closed && i + 1 == tableau_->stages},
                                       T_[at(i) + 1]);
@@ -173,7 +171,7 @@ double Stepper::largest_filtered() {
     newton_.filter(error_heat_, error_);
     const auto most =
         std::max_element(error_.begin(), error_.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    worst_node_ = static_cast<int>(most - error_.begin());
+    now_.worst_node = static_cast<int>(most - error_.begin());
     return std::abs(*most);
 }
 
@@ -203,53 +201,53 @@ double Stepper::estimate_error(double dt) {
 }
 
 Status Stepper::failure_at_largest_error(std::string_view why) {
-    return system_.failure_at(Outcome::step_too_small, why, worst_node_, time_, T_[0], forcing_.stage(0));
+    return system_.failure_at(Outcome::step_too_small, why, now_.worst_node, now_.time, T_[0], forcing_.stage(0));
 }
 
 void Stepper::accept() {
-    const double dt = tried_ - time_;
-    joules_before_ = joules_;
+    const double dt = now_.tried - now_.time;
+    joules_before_ = now_.joules;
     for (int i = 0; i < tableau_->stages; ++i) {
-        for (std::size_t e = 0; e < joules_.size(); ++e) {
+        for (std::size_t e = 0; e < now_.joules.size(); ++e) {
             const double joules = dt * tableau_->weight(i) * stage_watts_[at(i)][e];
-            joules_[e] += joules;
-            turnover_ += std::abs(joules);
+            now_.joules[e] += joules;
+            now_.turnover += std::abs(joules);
         }
-        last_[at(i)] = T_[at(i) + 1];
+        now_.last[at(i)] = T_[at(i) + 1];
     }
-    watts_ = stage_watts_.back();
+    now_.watts = stage_watts_.back();
     T_[0] = T_.back();
-    std::ranges::copy(newton_.left(), left_.begin());
+    std::ranges::copy(newton_.left(), now_.left.begin());
     for (const auto& [surface, cell] : takers_) {
-        left_[cell] += left_[surface];
-        left_[surface] = 0.0;
+        now_.left[cell] += now_.left[surface];
+        now_.left[surface] = 0.0;
     }
-    end_q_ = q_.back();
-    end_watts_ = stage_watts_.back();
-    std::ranges::copy(forcing_.stage(tableau_->stages - 1), end_coefficients_.begin());
-    end_is_known_ = true;
+    now_.end_q = q_.back();
+    now_.end_watts = stage_watts_.back();
+    std::ranges::copy(forcing_.stage(tableau_->stages - 1), now_.end_coefficients.begin());
+    now_.end_is_known = true;
     find_stored();
-    step_begin_ = time_;
-    time_ = tried_;
-    has_history_ = true;
+    now_.step_begin = now_.time;
+    now_.time = now_.tried;
+    now_.has_history = true;
     for (int i = 0; i < tableau_->stages; ++i) {
-        const double end = i + 1 == tableau_->stages ? time_ : step_begin_ + tableau_->c[at(i)] * dt;
-        stages_[at(i)] = {.time = end, .temperature = last_[at(i)], .watts = stage_watts_[at(i)]};
+        const double end = i + 1 == tableau_->stages ? now_.time : now_.step_begin + tableau_->c[at(i)] * dt;
+        stages_[at(i)] = {.time = end, .temperature = now_.last[at(i)], .watts = stage_watts_[at(i)]};
     }
 }
 
 void Stepper::find_stored() {
     system_.enthalpy(T_[0], H_);
     add(-1.0, H_start_, H_);
-    stored_ = system_.of_budget(H_);
+    now_.stored = system_.of_budget(H_);
 }
 
-void Stepper::interpolate(double t, std::span<double> T) const { interpolate(t, last_, T); }
+void Stepper::interpolate(double t, std::span<double> T) const { interpolate(t, now_.last, T); }
 
 void Stepper::interpolate_watts(double t, std::span<double> watts) const { interpolate(t, stage_watts_, watts); }
 
 void Stepper::interpolate(double t, const std::vector<std::vector<double>>& stages, std::span<double> out) const {
-    const double x = (t - step_begin_) / (time_ - step_begin_);
+    const double x = (t - now_.step_begin) / (now_.time - now_.step_begin);
     std::fill(out.begin(), out.end(), 0.0);
     for (int i = 0; i < tableau_->stages; ++i) {
         double basis = 1.0;
@@ -263,8 +261,8 @@ void Stepper::interpolate(double t, const std::vector<std::vector<double>>& stag
 }
 
 void Stepper::interpolate_joules(double t, std::span<double> joules) const {
-    const double dt = time_ - step_begin_;
-    const double x = (t - step_begin_) / dt;
+    const double dt = now_.time - now_.step_begin;
+    const double x = (t - now_.step_begin) / dt;
     std::copy(joules_before_.begin(), joules_before_.end(), joules.begin());
     for (int i = 0; i < tableau_->stages; ++i) {
         const double weight = dt * tableau_->weight_at(i, x);
@@ -279,7 +277,7 @@ void Stepper::find_watts(const physics::Inputs& logged) {
     system_.evaluate_coefficients(logged, coefficients);
     T_[1] = T_[0];
     system_.make_consistent(T_[1], coefficients);
-    watts_ = system_.terms().watts;
+    now_.watts = system_.terms().watts;
 }
 
 Status Stepper::solve_steady(double t) {
@@ -298,36 +296,22 @@ Status Stepper::solve_steady(double t) {
         return status;
     }
     update_heat_budget(0);
-    watts_ = stage_watts_.front();
+    now_.watts = stage_watts_.front();
     T_[0] = T_[1];
-    std::fill(left_.begin(), left_.end(), 0.0);
-    end_is_known_ = false;
-    for (std::vector<double>& stage : last_) {
+    std::fill(now_.left.begin(), now_.left.end(), 0.0);
+    now_.end_is_known = false;
+    for (std::vector<double>& stage : now_.last) {
         stage = T_[0];
     }
     find_stored();
-    time_ = step_begin_ = t;
+    now_.time = now_.step_begin = t;
     return {};
 }
 
 void Stepper::visit(Archive& archive) {
-    for (double* number : {&time_, &step_begin_, &tried_, &stored_, &turnover_}) {
-        archive(*number);
-    }
-    archive.whole(has_history_);
-    archive.whole(worst_node_);
-    archive.whole(end_is_known_);
-    for (std::vector<double>* values : {&left_, &end_q_, &end_watts_, &end_coefficients_}) {
-        archive(*values);
-    }
+    archive(now_);
     archive(T_[0]);
-    for (std::vector<double>& stage : last_) {
-        archive(stage);
-    }
-    for (std::vector<double>* ledger : {&watts_, &joules_}) {
-        archive(*ledger);
-    }
-    newton_.visit(archive);
+    archive(newton_);
 }
 
 double Stepper::effective_two_node_conductance() {
@@ -369,13 +353,13 @@ double Stepper::effective_two_node_conductance() {
 }
 
 double Stepper::energy_closure() const {
-    const double attributed = std::accumulate(joules_.begin(), joules_.end(), 0.0);
-    const double carried = system_.of_budget(left_);
-    return turnover_ > 0.0 ? std::abs(stored_ + carried - attributed) / turnover_ : 0.0;
+    const double attributed = std::accumulate(now_.joules.begin(), now_.joules.end(), 0.0);
+    const double carried = system_.of_budget(now_.left);
+    return now_.turnover > 0.0 ? std::abs(now_.stored + carried - attributed) / now_.turnover : 0.0;
 }
 
 double Stepper::steepest_rate() {
-    forcing_.open(time_, time_);
+    forcing_.open(now_.time, now_.time);
     T_[1] = T_[0];
     system_.make_consistent(T_[1], forcing_.stage(0));
     const std::span<const double> q = system_.heat_flow();

@@ -60,7 +60,7 @@ public:
     /// of a two-node model would have to be to carry it. NaN without these regions or without a difference. @returns W/K
     [[nodiscard]] double effective_two_node_conductance();
 
-    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] double time() const { return now_.time; }
     [[nodiscard]] std::span<const double> temperature() const { return T_.front(); }
     /// State inside the last accepted step, by the parabola through its stages. @param t s, within that step
     void interpolate(double t, std::span<double> T) const;
@@ -68,9 +68,9 @@ public:
     void interpolate_watts(double t, std::span<double> watts) const;
     /// Heat attributed to each effect until a moment inside the last accepted step. @param joules out, [n_effects] J
     void interpolate_joules(double t, std::span<double> joules) const;
-    [[nodiscard]] std::span<const double> watts() const { return watts_; }    ///< [n_effects] W at the state
-    [[nodiscard]] std::span<const double> joules() const { return joules_; }  ///< [n_effects] J since the start
-    [[nodiscard]] double stored() const { return stored_; }                   ///< J since the start
+    [[nodiscard]] std::span<const double> watts() const { return now_.watts; }    ///< [n_effects] W at the state
+    [[nodiscard]] std::span<const double> joules() const { return now_.joules; }  ///< [n_effects] J since the start
+    [[nodiscard]] double stored() const { return now_.stored; }                   ///< J since the start
     /// |stored + carried - sum of joules| over the heat turned over (sum of |watts| dt) since the start, with what the last
     /// step left open of its balance for the next to carry; 0 before the first step.
     [[nodiscard]] double energy_closure() const;
@@ -80,8 +80,8 @@ public:
     [[nodiscard]] std::span<const double> coefficients(int i) const { return forcing_.stage(i); }
     [[nodiscard]] const Tableau& method() const { return *tableau_; }
     /// Length of the last accepted step. @returns s
-    [[nodiscard]] double width() const { return time_ - step_begin_; }
-    [[nodiscard]] double begin() const { return step_begin_; }  ///< s, of the last accepted step
+    [[nodiscard]] double width() const { return now_.time - now_.step_begin; }
+    [[nodiscard]] double begin() const { return now_.step_begin; }  ///< s, of the last accepted step
     [[nodiscard]] const Newton& newton() const { return newton_; }
     [[nodiscard]] Newton& newton() { return newton_; }
     [[nodiscard]] System& system() { return system_; }
@@ -104,21 +104,29 @@ private:
     const Tableau* tableau_;
     StepForcing forcing_;
     Newton newton_;
-    double time_ = 0.0;
-    double step_begin_ = 0.0;
-    double tried_ = 0.0;
-    bool has_history_ = false;
-    int worst_node_ = 0;
+    /// All that the next step depends on, beside the temperatures and what Newton's method keeps.
+    struct State {
+        double time = 0.0;
+        double step_begin = 0.0;
+        double tried = 0.0;
+        double stored = 0.0;
+        double turnover = 0.0;
+        bool has_history = false;
+        int worst_node = 0;
+        bool end_is_known = false;             ///< the terms at the end of the last accepted step:
+        std::vector<double> end_q;             ///< [n] W
+        std::vector<double> end_watts;         ///< [n_effects] W
+        std::vector<double> end_coefficients;  ///< under these
+        std::vector<double> left;  ///< [n] J that the last accepted stage left of its balance: the next step carries it
+        std::vector<std::vector<double>> last;  ///< [stages][n] stages of the last accepted step
+        std::vector<double> watts;              ///< [n_effects] W at its end
+        std::vector<double> joules;             ///< [n_effects] J since the start
+    };
+    State now_;
     std::vector<std::vector<double>> T_;            ///< [stages + 1][n]: the state, then the stages of the attempt
     std::vector<std::vector<double>> q_;            ///< [stages][n] W
     std::vector<std::vector<double>> stage_watts_;  ///< [stages][n_effects] W
-    std::vector<std::vector<double>> last_;         ///< [stages][n] stages of the last accepted step
     std::vector<Stage> stages_;                     ///< of the last accepted step
-    bool end_is_known_ = false;                     ///< the terms at the end of the last accepted step:
-    std::vector<double> end_q_;                     ///< [n] W
-    std::vector<double> end_watts_;                 ///< [n_effects] W
-    std::vector<double> end_coefficients_;          ///< under these
-    std::vector<double> left_;  ///< [n] J that the last accepted stage left of its balance: the next step carries it
     /// Surfaces without capacity, each with the cell that takes what it leaves: in a step a thousand times as short it would be
     /// a thousand times as many kelvin there.
     std::vector<std::pair<std::size_t, std::size_t>> takers_;
@@ -127,11 +135,7 @@ private:
     std::vector<double> H_start_;
     std::vector<double> error_heat_;
     std::vector<double> error_;
-    std::vector<double> watts_;
-    std::vector<double> joules_;
     std::vector<double> joules_before_;
-    double stored_ = 0.0;
-    double turnover_ = 0.0;
 };
 
 }  // namespace tiretherm::solver

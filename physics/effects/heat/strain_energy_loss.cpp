@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "physics/bracket.hpp"
 #include "physics/celsius.hpp"
 #include "physics/spread.hpp"
 #include "physics/tire_laws/kraus.hpp"
@@ -152,15 +153,6 @@ double strain_factor(const ActiveEffect& active, const Tire& tire, const Inputs&
     return law.loss(deflection / tire.section_height) / law.loss(active[kraus_reference]);
 }
 
-/// Half the width of the tread along the meridian. m
-double half_tread(const mesh::Mesh& mesh) {
-    double reach = 0.0;
-    for (const mesh::PatchFace& face : mesh.patches[static_cast<std::size_t>(mesh.find_patch("outside"))].faces) {
-        reach = std::max({reach, std::abs(face.extent[0]), std::abs(face.extent[1])});
-    }
-    return reach;
-}
-
 /// Shares in every cell, by mass times the weights of its layer, its zone and its place along the meridian; they sum to
 /// 1 before the scales. The skew is taken about its own mean, so that moving heat sideways keeps the total.
 void place(const PlacementContext& context, ActiveEffect& active) {
@@ -250,12 +242,9 @@ TanDelta relative_measured(const EvaluationState& m, double T_bulk) {
         return {.value = 1.0};
     }
     const auto P = [&](std::size_t i) { return m.coefficients[tabled + i] / m.coefficients[whole]; };
-    const auto next = static_cast<std::size_t>(std::ranges::upper_bound(at, T_bulk) - at.begin());
-    if (next == 0 || next == at.size()) {
-        return {.value = P(next == 0 ? 0 : next - 1)};
-    }
-    const double slope = (P(next) - P(next - 1)) / (at[next] - at[next - 1]);
-    return {.value = P(next - 1) + slope * (T_bulk - at[next - 1]), .slope = slope};
+    const Bracket b = bracket(at, T_bulk);
+    const double slope = b.below == b.above ? 0.0 : (P(b.above) - P(b.below)) / (at[b.above] - at[b.below]);
+    return {.value = P(b.below) + slope * (T_bulk - at[b.below]), .slope = slope};
 }
 
 /// Shares a power out by weights; however it is shared, the total is the law's.

@@ -2,14 +2,23 @@
 // Remarks in words: numbers in their digits, spans of time in their unit, remarks inside of remarks, and words for every code.
 #include "post/report/remark_text.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "post/report/stage_text.hpp"
 
 namespace tiretherm::post {
 
-using namespace diagnosis;  // whose remarks are worded
 namespace {
+
+namespace remark = diagnosis::remark;
+using diagnosis::Part;
+using diagnosis::RemarkCode;
+using diagnosis::RemarkKind;
+using diagnosis::Seconds;
+using diagnosis::Stage;
+using diagnosis::Work;
 
 // 20 Hz by means of ten samples are 2 Hz.
 TEST(RemarkText, NamesAndNumbersStandInTheWords) {

@@ -11,8 +11,10 @@
 
 #include "diagnosis/study/study_statistics.hpp"
 #include "post/report/file.hpp"
+#include "post/report/remark_text.hpp"
 #include "post/study/study_axis.hpp"
 #include "post/study/study_chart.hpp"
+#include "post/study/study_names.hpp"
 #include "post/study/study_report.hpp"
 #include "post/study/study_tables.hpp"
 #include "tests/post/scratch.hpp"
@@ -341,7 +343,7 @@ TEST(StudyRecord, ALawsRangeIsToldOnceForAllRunsThatLeftIt) {
         {.law = "k is known up to 120 degC", .coldest = zero + 20.0, .hottest = zero + 141.0},
         {.law = "c is known up to 140 degC", .coldest = zero + 20.0, .hottest = zero + 141.0}};
     EXPECT_EQ(
-        study.left_ranges(),
+        texts_of(study.left_ranges()),
         (std::vector<std::string>{"k is known up to 120 degC; it was between 20.0 and 141.0 degC in 2 of 20 runs",
                                   "c is known up to 140 degC; it was between 20.0 and 141.0 degC in 1 of 20 runs"}));
 }

@@ -4,6 +4,7 @@
 #include "solver/time_integration/checkpoint.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <gtest/gtest.h>
 
@@ -128,6 +129,64 @@ TEST(Checkpoint, OfAnotherProblemIsRefused) {
     const Report report = run(heated_strip(7), nullptr, {.from = &kept, .every = 0, .keep = {}});
     EXPECT_EQ(report.status.outcome, Outcome::foreign_checkpoint);
     EXPECT_NE(report.status.message.find("another case"), std::string::npos);
+}
+
+/// A state of every kind of member.
+struct Kinds {
+    double number = 0.0;
+    int whole = 0;
+    bool truth = false;
+    std::array<double, 2> point{};
+    std::vector<double> list;
+    std::vector<std::vector<double>> lists;
+
+    friend bool operator==(const Kinds&, const Kinds&) = default;
+};
+
+Kinds some_state() {
+    return {
+        .number = 0.1, .whole = -7, .truth = true, .point = {1.0, 2.0}, .list = {3.0}, .lists = {{4.0}, {5.0, 6.0}}};
+}
+
+// 3 + 2 numbers of the members that are no lists, and 1, 1 and 2 of the lists.
+TEST(Archive, TakesAllMembersOfAStruct) {
+    Kinds state = some_state();
+    std::vector<double> numbers;
+    Archive writing = Archive::writing(numbers);
+    writing(state);
+    EXPECT_EQ(numbers.size(), 9U);
+    Kinds read{.list = {0.0}, .lists = {{0.0}, {0.0, 0.0}}};
+    Archive reading = Archive::reading(numbers);
+    reading(read);
+    EXPECT_TRUE(reading.complete());
+    EXPECT_EQ(read, some_state());
+}
+
+// The lengths of the list, of the list of lists and of its two lists come beside the nine numbers.
+TEST(Archive, OfAStateThatGrowsTheLengthsArePart) {
+    Kinds state = some_state();
+    std::vector<double> numbers;
+    Archive writing = Archive::writing(numbers);
+    writing.grown(state);
+    EXPECT_EQ(numbers.size(), 13U);
+    Kinds read;
+    Archive reading = Archive::reading(numbers);
+    reading.grown(read);
+    EXPECT_TRUE(reading.complete());
+    EXPECT_EQ(read, some_state());
+}
+
+// A length of 1e15 that nothing follows makes no list of that length.
+TEST(Archive, OfADamagedStateIsShort) {
+    const std::vector<double> numbers{1e15, 2.0};
+    std::vector<double> list;
+    Archive reading = Archive::reading(numbers);
+    reading.grown(list);
+    EXPECT_LE(list.size(), 1U);
+    Archive further = Archive::reading(std::span(numbers).first(1));
+    Kinds state = some_state();
+    further(state);
+    EXPECT_FALSE(further.complete());
 }
 
 }  // namespace tiretherm::solver
