@@ -47,6 +47,8 @@ std::vector<TableKeys> validation_tables() {
         {"model", TableForm::list, "A model that is judged.", {
             text("key", "How its cases end, and its key in `files` and `models`.").required(),
             text("name", "As the page calls it. Default: the key."),
+            text("of", "Key of a model above whose cases it takes, with the file `with` over each. A case of its own wins."),
+            text("with", "File in the folder of each case of that model. Its values win over those of the case."),
         }},
         {"number.minus", TableForm::table,
          "A value that is subtracted, or by which the number is divided (`over`): keys as of `[[number]]`, and what is left out is that of the number.", {

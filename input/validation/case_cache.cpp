@@ -19,6 +19,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_file(const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+}
+
+/// The text of the case of a model that takes another's, or nothing where there is none to take.
+std::optional<std::string> text_of(const fs::path& file, const std::vector<ValidationModel>& models) {
+    const std::string name = file.filename().string();
+    for (const ValidationModel& model : models) {
+        const std::string ending = fmt::format("_{}.toml", model.key);
+        if (model.of.empty() || !name.ends_with(ending)) {
+            continue;
+        }
+        const std::string base = fmt::format("{}_{}.toml", name.substr(0, name.size() - ending.size()), model.of);
+        if (is_file(file.parent_path() / base) && is_file(file.parent_path() / model.with)) {
+            return fmt::format("include = ['{}', '{}']\n", base, model.with);
+        }
+    }
+    return std::nullopt;
+}
+
 /// What to do about a case that is not there: the nearest name of its folder.
 std::string neighbour(const fs::path& file) {
     std::vector<std::string> names;
@@ -32,22 +53,31 @@ std::string neighbour(const fs::path& file) {
 
 }  // namespace
 
+std::optional<TomlValue> CaseCache::parsed(const fs::path& file, InputErrors& errors) const {
+    const auto text = texts_.find(file);
+    return read_document(file, errors, text == texts_.end() ? nullptr : &text->second);
+}
+
 std::optional<std::size_t> CaseCache::find(const std::string& path, const SourceLocation& mentioned,
                                            InputErrors& errors) {
     const fs::path file = (folder_ / path).lexically_normal();
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) {
-        return errors.add(mentioned, fmt::format("there is no case {}", path), neighbour(file));
+    if (!is_file(file) && !texts_.contains(file)) {
+        std::optional<std::string> text = text_of(file, models_);
+        if (!text) {
+            return errors.add(mentioned, fmt::format("there is no case {}", path), neighbour(file));
+        }
+        texts_[file] = std::move(*text);
     }
     const auto known = known_.find(file.generic_string());
     if (known != known_.end()) {
         return known->second;
     }
     std::optional<std::size_t>& index = known_[file.generic_string()];
-    Reading reading = read_case(file);
+    const auto text = texts_.find(file);
+    Reading reading = text == texts_.end() ? read_case(file) : read_case(file, text->second);
     errors_.insert(errors_.end(), reading.errors.begin(), reading.errors.end());
     InputErrors refused;
-    if (const std::optional<TomlValue> document = read_document(file, refused)) {
+    if (const std::optional<TomlValue> document = parsed(file, refused)) {
         refuse_petsc(*document, refused);
         const std::vector<InputError> all = refused.in_order();
         errors_.insert(errors_.end(), all.begin(), all.end());
@@ -72,13 +102,10 @@ bool CaseCache::is_case(std::size_t index, std::string_view name) const {
 void CaseCache::check_names(const std::vector<LocatedString>& names, InputErrors& errors) const {
     for (const LocatedString& name : names) {
         const fs::path path = (folder_ / name.text).lexically_normal();
-        std::error_code error;
-        const auto is_file = [&](const std::string& ending) {
-            return fs::is_regular_file(path.generic_string() + ending, error);
-        };
+        const auto exists = [&](const std::string& ending) { return is_file(path.generic_string() + ending); };
         const bool known =
-            is_file("") || is_file(".toml") || std::ranges::any_of(models_, [&](const ValidationModel& model) {
-                return is_file(fmt::format("_{}.toml", model.key));
+            exists("") || exists(".toml") || std::ranges::any_of(models_, [&](const ValidationModel& model) {
+                return exists(fmt::format("_{}.toml", model.key));
             });
         if (!known) {
             errors.add(name.place, fmt::format("there is no case {}", name.text),
@@ -99,7 +126,7 @@ bool CaseCache::acts(const InputDefinition& input, std::size_t index, InputError
         acts_.try_emplace(fmt::format("{}\n{}", input.shown.name, file.generic_string()), false);
     if (is_new) {
         InputErrors unheard;
-        const std::optional<TomlValue> document = read_document(file, unheard);
+        const std::optional<TomlValue> document = parsed(file, unheard);
         const InputTrace trace = document ? find_in_case(input, *document) : InputTrace{};
         known->second = trace.acts;
         if (!trace.other_value.empty()) {
@@ -123,7 +150,7 @@ std::optional<std::size_t> CaseCache::at_end(const InputDefinition& input, std::
     std::optional<std::size_t>& found = known_[fmt::format("{}\n{}", file.generic_string(), changed)];
     InputErrors own = errors;  // knows the files: values of the table stand in the case
     const std::size_t before = own.count();
-    std::optional<TomlValue> document = read_document(file, own);
+    std::optional<TomlValue> document = parsed(file, own);
     if (!document) {
         return std::nullopt;
     }

@@ -32,10 +32,22 @@ std::vector<ValidationModel> read_models(TomlTable& root) {
         if (std::ranges::find(models, key, &ValidationModel::key) != models.end()) {
             table.add_error("key", fmt::format("there are two models \"{}\"", key), "rename one of them");
         } else if (!key.empty()) {
-            models.push_back({.key = key, .name = name});
+            const std::string of = table.text("of").value_or("");
+            const std::string with = table.text("with").value_or("");
+            const auto base = std::ranges::find(models, of, &ValidationModel::key);
+            if (of.empty() != with.empty()) {
+                table.add_error(of.empty() ? "with" : "of", "`of` and `with` are given together or not at all",
+                                "write of = \"section\" and with = \"all_heat_paths.toml\"");
+            } else if (!of.empty() && (base == models.end() || !base->of.empty())) {
+                table.add_error("of", fmt::format("no model \"{}\" with cases of its own stands above this one", of),
+                                "give the key of a [[model]] above that has no `of`");
+            }
+            models.push_back({.key = key, .name = name, .of = of, .with = with});
         }
     });
-    return models.empty() ? std::vector<ValidationModel>{{"two_node", "two nodes"}, {"section", "section"}} : models;
+    return models.empty()
+               ? std::vector<ValidationModel>{{"two_node", "two nodes", {}, {}}, {"section", "section", {}, {}}}
+               : models;
 }
 
 bool has(const std::vector<std::string>& words, const std::string& word) {

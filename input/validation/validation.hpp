@@ -24,6 +24,8 @@ namespace tiretherm::input {
 struct ValidationModel {
     std::string key;   ///< "two_node": how its cases end, and its key in `files`
     std::string name;  ///< "two nodes": as people call it
+    std::string of;    ///< key of the model whose cases it takes; empty: it has its own
+    std::string with;  ///< file beside each of these cases, whose values win over theirs
 };
 
 /// A readout of one run.
@@ -104,8 +106,8 @@ struct ValidationNumber {
 
 /// A case that numbers are read from, as it is or with one input at an end of its range.
 struct ValidationRun {
-    std::filesystem::path file;
-    std::string changed;  ///< "ramp = 300 s"; empty: as it is
+    std::filesystem::path file;  ///< of a model that takes another's cases it is only a name
+    std::string changed;         ///< "ramp = 300 s"; empty: as it is
     solver::Problem problem;
 };
 

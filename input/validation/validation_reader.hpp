@@ -47,8 +47,12 @@ public:
     [[nodiscard]] std::vector<ValidationRun> take_runs() { return std::move(runs_); }
 
 private:
+    /// A case with what it includes, or nothing after an error.
+    std::optional<TomlValue> parsed(const std::filesystem::path& file, InputErrors& errors) const;
+
     std::filesystem::path folder_;
     std::vector<ValidationModel> models_;
+    std::map<std::filesystem::path, std::string> texts_;  ///< of cases that are no files
     std::map<std::string, std::optional<std::size_t>> known_;
     std::map<std::string, bool> acts_;  ///< by input and case
     std::vector<ValidationRun> runs_;
