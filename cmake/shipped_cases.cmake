@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Cases of the library that the program carries along: `tiretherm new` writes its cases from their text.
 set(TIRETHERM_SHIPPED_CASES
-    section/common.toml section/4000N_100kmh.toml
+    section/common.toml section/4000N_100kmh.toml section/all_heat_paths.toml
+    section/literature_conductivities.toml
     layers/common.toml layers/two_conductivities.toml
     two_node/common.toml two_node/4000N_100kmh.toml
     laser/common.toml laser/one_watt.toml)

@@ -42,6 +42,7 @@ struct NewOptions {
     std::string pressure;
     bool specimen = false;
     std::string test;
+    std::string materials;
     std::vector<std::string> units;
     bool force = false;
     bool json = false;
@@ -116,6 +117,12 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
         }
         request.test = std::get<input::DrumTest>(test);
     }
+    request.literature = options.materials == "literature";
+    if (request.literature && (specimen || !(options.mesh.empty() || options.mesh == "section"))) {
+        report_error("--materials literature is for a cross-section", "leave it out, or take --mesh section",
+                     options.json);
+        return std::nullopt;
+    }
     if (!options.pressure.empty()) {
         const input::ParsedQuantity pressure =
             input::parse_quantity(options.pressure, {.unit = "Pa", .low = 1e4, .high = 2e6}, "the inflation pressure");
@@ -133,7 +140,7 @@ std::optional<input::NewCaseRequest> read_request(const NewOptions& options) {
         return std::nullopt;
     }
     request.units = *units;
-    request.mesh = specimen ? std::string(input::specimen_mesh) : options.mesh;
+    request.mesh = specimen ? std::string(input::specimen_mesh) : request.literature ? "section" : options.mesh;
     request.target = options.file.empty() ? standard_file(options, request) : fs::path(options.file);
     return request;
 }
@@ -313,6 +320,12 @@ void add_new_command(CLI::App& program, int& exit_code) {
                      "reading across each tread")
         ->option_text("KIND")
         ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+    command
+        ->add_option("--materials", options->materials,
+                     "thesis: K1 and K2, equivalent conductivities that were identified on one 225/50 R17; "
+                     "literature: those of rubber and cords, 0.25 and 0.30 W/mK. Default: thesis")
+        ->option_text("SET")
+        ->check(CLI::IsMember({"thesis", "literature"}));
     command
         ->add_option("--pressure", options->pressure,
                      "Inflation, \"2.4 bar\": scales stiffness and contact. Default: 220 kPa, light trucks 450 kPa, "

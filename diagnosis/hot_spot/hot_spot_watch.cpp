@@ -172,12 +172,15 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
     for (const std::string& name : base.non_smooth_parameters) {
         into.notes.push_back(remark::at_kink(name));
     }
-    // Two runs for each key, one standard deviation to either side.
+    // Two runs for each key, one standard deviation to either side; one for an alternative.
     const std::size_t n = case_->uncertain.size();
     std::vector<solver::PlaceSlopes> sides(2 * n);
     const auto to_a_side = [&](std::size_t i) {
         const auto problem = case_->moved(case_->uncertain[i / 2], i % 2 == 0 ? -1.0 : 1.0);
         sides[i].status.outcome = solver::Outcome::stopped;
+        if (i % 2 == 0 && !case_->uncertain[i / 2].alternative.empty()) {
+            return;  // the case itself is its other side
+        }
         // Places are nodes of the case's own mesh.
         if (problem && problem->mesh.n_nodes == problem_.mesh.n_nodes && !solver::stop_requested()) {
             sides[i] = solver::place_slopes(*problem, places, {}, base.step_ends);
@@ -204,14 +207,26 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
             const input::UncertainKey& key = case_->uncertain[i];
             const solver::PlaceSlopes& below = sides[2 * i];
             const solver::PlaceSlopes& above = sides[2 * i + 1];
-            if (!below.status.ok() || !above.status.ok()) {
+            const bool is_alternative = !key.alternative.empty();
+            if (!above.status.ok() || !(below.status.ok() || is_alternative)) {
                 if (p == 0) {
-                    into.notes.push_back(remark::key_is_left_out(key.path.text()));
+                    into.notes.push_back(remark::key_is_left_out(key.name()));
                 }
                 continue;
             }
+            if (is_alternative) {
+                const double half = 0.5 * (above.temperature[p] - base.temperature[p]);
+                mean += half;
+                drivers.push_back({.name = key.name(),
+                                   .unit = {},
+                                   .value = unknown,
+                                   .standard_deviation = unknown,
+                                   .kelvin = half,
+                                   .nonlinearity = unknown});
+                continue;
+            }
             drivers.push_back(
-                {.name = key.path.text(),
+                {.name = key.name(),
                  .unit = key.unit,
                  .value = key.number,
                  .standard_deviation = key.standard_deviation,

@@ -15,14 +15,15 @@ namespace tiretherm::input {
 
 namespace {
 
-/// A mesh's cases in the library: the first tells sources and assumptions.
+/// A mesh's cases in the library: the first tells sources and assumptions, the last those of its effects.
 struct Library {
     std::string_view what;
     std::array<std::string_view, 2> files;
+    std::string_view heat_paths{};  ///< lies over the others; empty: none does
 };
 constexpr std::array<std::string_view, 4> names{"section", "layers", "two_node", specimen_mesh};
 constexpr std::array<Library, 4> libraries{
-    Library{"a cross-section", {"section/common.toml", "section/4000N_100kmh.toml"}},
+    Library{"a cross-section", {"section/common.toml", "section/4000N_100kmh.toml"}, "section/all_heat_paths.toml"},
     Library{"layers through the crown", {"layers/common.toml", "layers/two_conductivities.toml"}},
     Library{"two nodes, surface and bulk", {"two_node/common.toml", "two_node/4000N_100kmh.toml"}},
     Library{"a specimen under a laser", {"laser/common.toml", "laser/one_watt.toml"}}};
@@ -62,7 +63,9 @@ void add_extra_sensors(MeshTemplate& made, double tread_thickness_mm) {
 
 /// The lines above the first heading: what is said of sources and assumptions, and the key `sources`.
 void take_head(const CasePart& head, MeshTemplate& into) {
-    into.sources = head.value("sources");
+    if (into.sources.empty()) {
+        into.sources = head.value("sources");
+    }
     bool told = false;
     for (const std::string& line : head.lines) {
         told = told || line.starts_with("# Source:");
@@ -78,7 +81,8 @@ void take(CasePart part, MeshTemplate& into) {
     if (part.table == "mesh" || part.table == "mesh.layer" || part.table == "material" || of_specimen) {
         into.mesh.push_back(std::move(part));
     } else if (part.table.starts_with(effects)) {
-        into.effects.push_back(part.table.substr(effects.size()));
+        std::erase_if(into.effects, [&](const CasePart& known) { return known.table == part.table; });
+        into.effects.push_back(std::move(part));
     } else if (part.table == "drive" || part.table == "initial" || part.table == "time") {
         into.settings.push_back(std::move(part));
     } else if (part.table == "sensor") {
@@ -109,9 +113,12 @@ MeshTemplate mesh_template(std::string_view name, double tread_thickness_mm) {
     const auto index = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     const Library& library = libraries.at(index);
     MeshTemplate made{.name = std::string(name), .what = std::string(library.what)};
-    for (const std::string_view file : library.files) {
+    for (const std::string_view file : {library.files[0], library.files[1], library.heat_paths}) {
+        if (file.empty()) {
+            continue;
+        }
         std::vector<CasePart> parts = cut_case(shipped_case(file));
-        if (file == library.files.front()) {
+        if (file != library.files.back()) {
             take_head(parts.front(), made);
         }
         for (std::size_t i = 1; i < parts.size(); ++i) {

@@ -25,13 +25,13 @@ inline constexpr std::string_view specimen_mesh = "specimen";
 
 /// A kind of mesh with all that the library's cases on it share.
 struct MeshTemplate {
-    std::string name;                    ///< "section", as the option --mesh takes it
-    std::string what;                    ///< "a cross-section"
-    std::vector<std::string> origin{};   ///< comment lines: sources and assumptions
-    std::string sources{};               ///< value of the key
-    std::vector<CasePart> mesh{};        ///< [mesh], [[mesh.layer]] and [[material]]; of a specimen the effects too
-    std::vector<std::string> effects{};  ///< that are named
-    std::vector<CasePart> settings{};    ///< [drive], [initial] and [time]
+    std::string name;                   ///< "section", as the option --mesh takes it
+    std::string what;                   ///< "a cross-section"
+    std::vector<std::string> origin{};  ///< comment lines: sources and assumptions
+    std::string sources{};              ///< value of the key
+    std::vector<CasePart> mesh{};       ///< [mesh], [[mesh.layer]] and [[material]]; of a specimen the effects too
+    std::vector<CasePart> effects{};    ///< that are named, each once: of the last file that names it
+    std::vector<CasePart> settings{};   ///< [drive], [initial] and [time]
     std::vector<TemplateSensor> sensors{};
 
     /// The value of a key of [drive], [initial] or [time] without quotation marks; empty when absent.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "input/case_text/shipped_cases.hpp"
 #include "input/new_case/case_tables.hpp"
 #include "physics/effect.hpp"
 #include "physics/tire.hpp"
@@ -38,29 +39,41 @@ constexpr std::array adjusted{Adjusted{"strain_energy_loss", {"lambda_srf", "lam
                               Adjusted{"sliding_friction", {"partition", "lambda_x", "lambda_y"}},
                               Adjusted{"air_convection", {"lambda_h", "floor"}},
                               Adjusted{"road_contact", {"Hc"}},
-                              Adjusted{"sidewall_convection", {"conductance"}},
-                              Adjusted{"rim_conduction", {"bead", "capacity", "cooling"}},
-                              Adjusted{"inner_gas", {"liner", "rim", "capacity"}},
+                              Adjusted{"resolved_contact", {"scale", "interface_h"}},
+                              Adjusted{"sidewall_convection", {"disk_scale"}},
+                              Adjusted{"rim_conduction", {"bead", "capacity", "area"}},
+                              Adjusted{"inner_gas", {"nusselt", "capacity"}},
+                              Adjusted{"groove_convection", {"area_share", "depth"}},
+                              Adjusted{"radiation", {"emissivity"}},
+                              Adjusted{"inflation_pressure_rise", {"exponent"}},
                               Adjusted{"camber_asymmetry", {"c"}}};
 
-void write_effect(CaseWriter& writer, std::string_view id, bool on_drum) {
+/// @param named the effect as the library's case has it, or null
+void write_effect(CaseWriter& writer, std::string_view id, const CasePart* named, bool on_drum) {
     const physics::Effect* effect = physics::find_effect(id);
     const auto found = std::ranges::find(adjusted, id, &Adjusted::effect);
     if (effect == nullptr) {
         return;
     }
     const std::string_view meaning = effect->meaning.substr(0, effect->meaning.find_first_of(".;:"));
-    writer.table(fmt::format("effects.{}", id), meaning);
+    const std::string table = fmt::format("effects.{}", id);
+    writer.table(table, meaning);
+    const auto has = [&](std::string_view key) { return named != nullptr && !named->value(key).empty(); };
     for (const physics::ParameterSpec& parameter : effect->parameters) {
-        if (found != adjusted.end() && std::ranges::find(found->keys, parameter.key) != found->keys.end()) {
+        const bool is_adjusted =
+            found != adjusted.end() && std::ranges::find(found->keys, parameter.key) != found->keys.end();
+        if (is_adjusted && !has("on") && !has(parameter.key)) {
             writer.entry(parameter.key, parameter.standard);
         }
+    }
+    if (named != nullptr && named->lines.size() > 1) {
+        writer.lines({named->lines.begin() + 1, named->lines.end()}, table);
     }
     if (on_drum && id == "strain_energy_loss") {
         writer.entry("belt_edge_gain", "1.0",
                      "assumed: at its edges the belt loses twice as much per mass as elsewhere");
     }
-    if (on_drum && id == "air_convection") {
+    if (on_drum && id == "air_convection" && !has("exponential")) {
         writer.entry("exponential", "off", "that of thesis (33) was fitted on a road at surfaces below 100 degC");
     }
 }
@@ -69,6 +82,15 @@ void write_effect(CaseWriter& writer, std::string_view id, bool on_drum) {
 
 void write_mesh(CaseDraft& draft) {
     const physics::Tire thesis;
+    const bool by_literature = draft.request.literature;
+    const std::vector<CasePart> literature = cut_case(shipped_case("section/literature_conductivities.toml"));
+    if (draft.mesh.name == "section") {
+        draft.assume("material", by_literature ? "0.25 and 0.30 W/mK" : "K1 and K2 of the thesis",
+                     by_literature
+                         ? "conductivities of rubber and of cords in rubber, as literature has them"
+                         : "equivalent conductivities of one 225/50 R17; --materials literature takes those of "
+                           "rubber and cords");
+    }
     for (CasePart part : draft.mesh.mesh) {
         const std::string name = part.text("name");
         const double more = name == "tread"      ? draft.tread_thickness - thesis.tread_thickness
@@ -76,6 +98,11 @@ void write_mesh(CaseDraft& draft) {
                                                  : 0.0;
         if (part.table == "mesh.layer" && more > 1e-9) {
             thicken(part, std::round(more * 1e6) * 1e-3);
+        }
+        if (by_literature && part.table == "material") {
+            const auto same = [&](const CasePart& other) { return other.text("name") == part.text("name"); };
+            const auto found = std::ranges::find_if(literature, same);
+            part = found != literature.end() ? *found : part;
         }
         draft.writer.blank();
         draft.writer.lines(part.lines, part.table);
@@ -90,16 +117,21 @@ void write_effects(CaseDraft& draft) {
         "`tiretherm effects` lists all effects, `tiretherm effects air_convection` one with all its numbers and "
         "where they come from. [effects.NAME] switches one on, on = false below it one off.");
     const bool on_drum = draft.request.test.has_value();
+    constexpr std::size_t prefix = std::string_view("effects.").size();
     for (const Adjusted& effect : adjusted) {
         const physics::Effect* known = physics::find_effect(effect.effect);
-        const bool named = std::ranges::find(draft.mesh.effects, effect.effect) != draft.mesh.effects.end();
-        if (known != nullptr && (known->on || named)) {
-            write_effect(writer, effect.effect, on_drum);
+        const auto named = std::ranges::find_if(
+            draft.mesh.effects, [&](const CasePart& part) { return part.table.substr(prefix) == effect.effect; });
+        const bool is_named = named != draft.mesh.effects.end();
+        const bool of_drum = on_drum && effect.effect == "inflation_pressure_rise";  // write_drum_effects has it
+        if (known != nullptr && (known->on || is_named) && !of_drum) {
+            write_effect(writer, effect.effect, is_named ? &*named : nullptr, on_drum);
         }
     }
-    for (const std::string& id : draft.mesh.effects) {
+    for (const CasePart& part : draft.mesh.effects) {
+        const std::string id = part.table.substr(prefix);
         if (std::ranges::find(adjusted, id, &Adjusted::effect) == adjusted.end()) {
-            write_effect(writer, id, on_drum);
+            write_effect(writer, id, &part, on_drum);
         }
     }
 }

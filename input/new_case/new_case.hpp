@@ -21,6 +21,7 @@ struct NewCaseRequest {
     std::string mesh{};                          ///< one of mesh_template_names(); empty: by the log
     std::optional<std::filesystem::path> log{};
     std::optional<DrumTest> test{};  ///< of a size, on a cross-section
+    bool literature = false;         ///< conductivities of literature in the place of K1 and K2, on a cross-section
     std::vector<GivenUnit> units{};  ///< of columns of the log
     std::filesystem::path target;    ///< where the case will be: paths in it are written from its folder
 };

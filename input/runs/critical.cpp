@@ -159,9 +159,40 @@ std::vector<solver::Critical> read_critical(TomlTable& root, const solver::Probl
     return found;
 }
 
+namespace {
+
+/// The tables of the file that `alternative` names; nothing after an error.
+std::optional<UncertainKey> read_alternative(TomlTable& table, const std::string& file) {
+    for (const char* key : {"key", "standard_deviation"}) {
+        if (table.has(key)) {
+            table.add_error(key, fmt::format("both alternative and {} are given", key),
+                            "keep one of them: an alternative is as likely as what the case has");
+        }
+    }
+    const std::filesystem::path path = table.errors().beside(table.place("alternative"), file);
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) {
+        table.add_error("alternative", fmt::format("there is no file {}", path.generic_string()),
+                        "give the path from this file's folder");
+        return std::nullopt;
+    }
+    std::optional<TomlValue> tables = read_document(path, table.errors());
+    return tables ? std::optional(UncertainKey{.alternative = path.stem().string(), .tables = std::move(*tables)})
+                  : std::nullopt;
+}
+
+}  // namespace
+
 std::vector<UncertainKey> read_uncertain(TomlTable& root) {
     std::vector<UncertainKey> found;
     root.each("uncertain", [&](TomlTable& table) {
+        if (const std::optional<std::string> file = table.text("alternative")) {
+            table.declare_keys({"key", "standard_deviation"});
+            if (std::optional<UncertainKey> read = read_alternative(table, *file)) {
+                found.push_back(std::move(*read));
+            }
+            return;
+        }
         const std::optional<std::string> key = table.text("key", Need::required);
         const std::optional<Measure> deviation = read_measure(table, "standard_deviation", Need::required);
         InputErrors unheard;  // a path that is none is told as one that leads to nothing
@@ -185,7 +216,7 @@ std::vector<UncertainKey> read_uncertain(TomlTable& root) {
         if (!(uncertain.standard_deviation > 0.0)) {
             table.add_error("standard_deviation", "a standard deviation is positive", "give one above 0");
         }
-        if (std::ranges::any_of(found, [&](const UncertainKey& other) { return other.path.text() == *key; })) {
+        if (std::ranges::any_of(found, [&](const UncertainKey& other) { return other.name() == *key; })) {
             table.add_error("key", fmt::format("\"{}\" is uncertain twice", *key), "remove one");
         }
         found.push_back(std::move(uncertain));

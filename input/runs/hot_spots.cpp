@@ -43,6 +43,14 @@ std::optional<solver::Problem> HotSpotCase::problem_of(const TomlValue& document
 
 std::optional<solver::Problem> HotSpotCase::moved(const UncertainKey& uncertain_key, double deviations) const {
     TomlValue document = document_;
+    if (!uncertain_key.alternative.empty()) {
+        std::vector<std::string_view> names;
+        for (const Entry& entry : uncertain_key.tables.entries) {
+            names.push_back(entry.key);
+        }
+        override_tables(document, uncertain_key.tables, names);
+        return problem_of(document);
+    }
     InputErrors errors = errors_;
     const double number = uncertain_key.number + deviations * uncertain_key.standard_deviation;
     const StudyValue value = study_value(number, uncertain_key.unit, false, uncertain_key.value.place);

@@ -14,13 +14,18 @@
 /// What a case says of its hot spots: the lists [[critical]] and [[uncertain]].
 namespace tiretherm::input {
 
-/// A value of the case that is known with a standard deviation only: "drive.air_temperature".
+/// A value of the case that is known with a standard deviation only, "drive.air_temperature"; or other tables that may hold
+/// as well as those of the case: both are as likely.
 struct UncertainKey {
     ParameterPath path{};
     TomlValue value{};                ///< as the case has it
     double number = 0.0;              ///< in `unit`
     std::string unit{};               ///< as the case writes it; empty for a pure number
     double standard_deviation = 0.0;  ///< in `unit`, > 0
+    std::string alternative{};        ///< name of the file of the other tables; empty: a value
+    TomlValue tables{};               ///< of that file
+
+    [[nodiscard]] std::string name() const { return alternative.empty() ? path.text() : alternative; }
 };
 
 /// The list [[critical]]. Needs a case that has been read; of a mesh with errors only the numbers are checked.
@@ -40,7 +45,7 @@ public:
     std::vector<solver::FreeParameter> known{};  ///< the [[parameter]] tables of which a standard deviation is known
     std::vector<UncertainKey> uncertain{};
 
-    /// The case with one value some standard deviations off; nothing where that is no sound case.
+    /// The case with one value some standard deviations off, or with the other tables; nothing where that is no sound case.
     [[nodiscard]] std::optional<solver::Problem> moved(const UncertainKey& uncertain_key, double deviations) const;
     /// The case with another document, such as one that goes on longer; nothing where that is no sound case.
     [[nodiscard]] std::optional<solver::Problem> problem_of(const TomlValue& document) const;

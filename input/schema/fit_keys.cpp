@@ -54,8 +54,9 @@ std::vector<TableKeys> fit_tables() {
         }},
         {"uncertain", TableForm::list,
          "A value of the case that is known with a standard deviation only. With it and with every `[[parameter]]` that has a `standard_deviation`, `run` says what drives each hot spot, and how probable it is that it passes its critical temperature.", {
-            text("key", "Path of the value, as in a study: `drive.air_temperature`.").required(),
-            quantity_of_owner("standard_deviation", "With its unit; of a temperature a difference.").required(),
+            text("key", "Path of the value, as in a study: `drive.air_temperature`.").sometimes(),
+            quantity_of_owner("standard_deviation", "With its unit; of a temperature a difference.").sometimes(),
+            text("alternative", "In the place of both: a file, from this one's folder, with tables that may hold as well as those of the case. Both are taken as equally likely: half of the difference is the standard deviation, and moves the mean."),
         }},
     };
 }

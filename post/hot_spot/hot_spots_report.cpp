@@ -120,10 +120,13 @@ DataTable drivers(const solver::Spread& spread) {
     for (std::size_t d = 0; d < spread.drivers.size(); ++d) {
         const solver::Driver& driver = spread.drivers[d];
         const bool checked = !std::isnan(driver.nonlinearity);
+        const bool is_number = !std::isnan(driver.value);
         table.add({{"what drives it", "name", driver.name},
                    data_only("unit", driver.unit),
-                   {"value", "value", shown("{:.4g}", driver.value)},
-                   {"+-", "standard_deviation", shown("{:.3g}", driver.standard_deviation)},
+                   {"value", "value", {driver.value, is_number ? fmt::format("{:.4g}", driver.value) : "alternative"}},
+                   {"+-",
+                    "standard_deviation",
+                    {driver.standard_deviation, is_number ? fmt::format("{:.3g}", driver.standard_deviation) : ""}},
                    page_only("unit", slashed_unit(driver.unit)),
                    {"change K", "kelvin", shown("{:+.2f}", driver.kelvin)},
                    {"share %", "share", {spread.share(d), fmt::format("{:.1f}", 100.0 * spread.share(d))}},
