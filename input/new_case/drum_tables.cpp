@@ -32,7 +32,7 @@ void write_drum_drive(CaseDraft& draft, const DrumTest& test) {
     }
     writer.entry("inflation_pressure", fmt::format("{:g} kPa", test.pressure * 1e-3), test.pressure_ground);
     writer.entry("air_temperature", room, "of the room, recalled");
-    writer.entry("road_temperature", room, "assumed: the drum is as warm as the room");
+    writer.entry("road_temperature", room, "of the drum when the test begins; assumed: as warm as the room");
     writer.table("drive.schedule", "steps; two rows at one time are a jump");
     writer.entry("columns", loads_differ ? "[\"time [min]\", \"speed [km/h]\", \"vertical_load [N]\"]"
                                          : "[\"time [min]\", \"speed [km/h]\"]");
@@ -53,6 +53,15 @@ void write_drum_effects(CaseDraft& draft, const DrumTest& test) {
     CaseWriter& writer = draft.writer;
     writer.table("effects.drum_curvature", "a drum of 1.707 m in the place of a road");
     writer.entry("curvature", "1.1716 1/m", "2 / 1.707 m");
+    writer.table("effects.drum_heating", "the tire heats the drum");
+    writer.entry("capacity", "2e5 J/K", "assumed: a steel shell of 0.5 m x 20 mm");
+    writer.entry("cooling", "150 W/K", "to the air at 100 km/h; estimated");
+    if (const std::optional<double> limit = draft.request.size.service->speed()) {
+        writer.table("effects.standing_wave", "the loss rises near the tire's limit");
+        writer.entry("critical_speed", fmt::format("{:.0f} km/h", 0.8 * *limit * 3.6),
+                     fmt::format("assumed: 0.8 of the symbol's {:.0f} km/h", *limit * 3.6));
+        writer.entry("gain", "1e-4 1/(km/h)^2", "assumed");
+    }
     writer.table("effects.inflation_pressure_rise", "the gas that warms up raises the pressure");
     writer.entry("exponent", "0.45", "loss ~ pressure^-0.45, SAE J2452, recalled");
     writer.entry("reference", fmt::format("{:g} degC", test.room), "of the gas as it was filled");

@@ -73,6 +73,10 @@ void write_effect(CaseWriter& writer, std::string_view id, const CasePart* named
         writer.entry("belt_edge_gain", "1.0",
                      "assumed: at its edges the belt loses twice as much per mass as elsewhere");
     }
+    if (on_drum && id == "resolved_contact") {
+        writer.entry("road_conductivity", "50 W/mK", "of the drum's steel");
+        writer.entry("road_capacity", "3.8e6 J/m3K");
+    }
     if (on_drum && id == "air_convection" && !has("exponential")) {
         writer.entry("exponential", "off", "that of thesis (33) was fitted on a road at surfaces below 100 degC");
     }
@@ -123,14 +127,15 @@ void write_effects(CaseDraft& draft) {
         const auto named = std::ranges::find_if(
             draft.mesh.effects, [&](const CasePart& part) { return part.table.substr(prefix) == effect.effect; });
         const bool is_named = named != draft.mesh.effects.end();
-        const bool of_drum = on_drum && effect.effect == "inflation_pressure_rise";  // write_drum_effects has it
+        const bool of_drum = on_drum && effect.effect == "inflation_pressure_rise";  // write_drum_effects has them
         if (known != nullptr && (known->on || is_named) && !of_drum) {
             write_effect(writer, effect.effect, is_named ? &*named : nullptr, on_drum);
         }
     }
     for (const CasePart& part : draft.mesh.effects) {
         const std::string id = part.table.substr(prefix);
-        if (std::ranges::find(adjusted, id, &Adjusted::effect) == adjusted.end()) {
+        if (std::ranges::find(adjusted, id, &Adjusted::effect) == adjusted.end() &&
+            !(on_drum && id == "drum_curvature")) {
             write_effect(writer, id, &part, on_drum);
         }
     }
