@@ -277,6 +277,31 @@ standard_deviation = "3 K"
     }
 }
 
+// Air 10 K warmer, and the start as well, make every place of a linear plate 10 K hotter: half of that is the standard deviation of
+// two cases that are as likely, and moves their mean.
+TEST(HotSpots, AnAlternativeIsAsLikelyAsTheCase) {
+    const sample::Scratch scratch;
+    post::replace_file(scratch / "warmer.toml",
+                       "[drive]\nair_temperature = \"30 degC\"\n[initial]\ntemperature = \"30 degC\"\n");
+    const std::string text =
+        warming_plate + critical("75 degC") + three_steps + "[[uncertain]]\nalternative = \"warmer.toml\"\n";
+    const Call done = run(scratch, text, "--json");
+    ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
+    const Json spot = Json::parse(done.out)["hot_spots"]["spots"][0];
+    const Json& driver = spot["uncertainty"]["drivers"][0];
+    EXPECT_EQ(driver["name"], "warmer");
+    EXPECT_TRUE(driver["value"].is_null());
+    EXPECT_NEAR(driver["kelvin"].get<double>(), 5.0, 0.005);
+    EXPECT_NEAR(spot["uncertainty"]["mean"].get<double>(), spot["hottest"].get<double>() + 5.0, 0.005);
+    EXPECT_NEAR(spot["uncertainty"]["standard_deviation"].get<double>(), 5.0, 0.005);
+    const Call missing =
+        run(scratch, warming_plate + critical("75 degC") + three_steps +
+                         "[[uncertain]]\nalternative = \"colder.toml\"\nkey = \"drive.air_temperature\"\n");
+    EXPECT_EQ(missing.exit_code, 1);
+    EXPECT_NE(missing.err.find("colder.toml"), std::string::npos) << missing.err;
+    EXPECT_NE(missing.err.find("both alternative and key are given"), std::string::npos) << missing.err;
+}
+
 TEST(HotSpots, HelpSpeaksOfThem) {
     const Call help = call("run --help");
     EXPECT_EQ(help.exit_code, 0);

@@ -72,6 +72,24 @@ TEST_F(ValidationTable, CaseIsReadForBothModelsAndOnlyOnce) {
     EXPECT_DOUBLE_EQ(number.models[1]->value(traces), 300.0);
 }
 
+// The third model has no cases of its own: those of the section, 600 s long, with a file beside them that starts them at 50 degC
+// and ends them at 60 s. A case of its own wins.
+TEST_F(ValidationTable, AModelMayLayAFileOverTheCasesOfAnother) {
+    written_.add("hotter.toml", "[initial]\ntemperature = \"50 degC\"\n");
+    const std::string models =
+        "[[model]]\nkey = \"two_node\"\n[[model]]\nkey = \"section\"\n"
+        "[[model]]\nkey = \"hot\"\nof = \"section\"\nwith = \"hotter.toml\"\n";
+    const std::string number = "case = \"warm\"\nchannel = \"top\"\n";
+    const Validation table = read(models + numbered(number));
+    ASSERT_EQ(table.runs.size(), 3U);
+    EXPECT_EQ(table.runs[2].problem.name, "warm_hot");
+    EXPECT_NEAR(table.runs[2].problem.initial.front(), zero + 50.0, 1e-9);
+    EXPECT_LT(table.runs[1].problem.initial.front(), zero + 49.0);
+    written_.add("warm_hot.toml", "include = [\"warm_section.toml\"]\ntitle = \"its own\"\n");
+    const Validation own = read(models + numbered(number));
+    EXPECT_EQ(own.runs[2].problem.initial, own.runs[1].problem.initial);
+}
+
 // One model, whose cases end in _section; the page calls it "a shell". Without its own models a table has two.
 TEST_F(ValidationTable, SaysItselfWhichModelsItJudges) {
     const Validation table = read("[[model]]\nkey = \"section\"\nname = \"a shell\"\n[[model]]\nkey = \"other\"\n" +
