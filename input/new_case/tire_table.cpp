@@ -50,8 +50,6 @@ void write_laws(CaseWriter& writer, const physics::Tire& tire, const Reasons& wh
     writer.entry("loaded_radius_slope", fmt::format("{} m/N", short_number(tire.loaded_radius_slope, 3)), why.loaded);
     writer.entry("rolling_radius_factor", in_mm(tire.rolling_radius_factor, 1), why.rolling);
     writer.entry("rolling_radius_exponent", short_number(tire.rolling_radius_exponent, 3), why.exponent);
-    writer.entry("loss_drum_diameter", "1.707 m",
-                 "of the drum on which the loss was measured; assumed: the thesis's was that of ISO 28580");
 }
 
 std::string more_than_thesis(double metres) {
@@ -105,6 +103,10 @@ void write_tire(CaseDraft& draft) {
     writer.entry("reference_pressure", fmt::format("{:g} kPa", draft.inflation_pressure * 1e-3),
                  fmt::format("{}{}at which these laws hold; they follow drive.inflation_pressure where it is given",
                              draft.pressure_ground, draft.pressure_ground.empty() ? "" : "; "));
+    if (draft.mesh.name == "section") {  // the case has drum_curvature, which counts from there
+        writer.entry("loss_drum_diameter", "1.707 m",
+                     "of the drum on which the loss was measured; assumed: the thesis's was that of ISO 28580");
+    }
 }
 
 }  // namespace tiretherm::input

@@ -131,7 +131,7 @@ const std::array wordings{
     words(remark::drivers_not_known, "What drives the hot spots is not known: {}."),
     words(remark::at_kink, "{} is at a kink: its derivative is one-sided."),
     words(remark::key_is_left_out,
-          "{} is left out: the case does not run on the same mesh with one standard deviation more or less of it."),
+          "{} is left out: the case does not run on the same mesh with its other values."),
     words(remark::nothing_to_change, "{} {}."),
     words(remark::moves_nothing, "{} moves nothing: {}."),
     words(remark::no_effect_looks_at_it, "no effect that is on looks at it"),
