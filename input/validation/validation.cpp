@@ -45,9 +45,7 @@ std::vector<ValidationModel> read_models(TomlTable& root) {
             models.push_back({.key = key, .name = name, .of = of, .with = with});
         }
     });
-    return models.empty()
-               ? std::vector<ValidationModel>{{"two_node", "two nodes", {}, {}}, {"section", "section", {}, {}}}
-               : models;
+    return models.empty() ? std::vector<ValidationModel>{{"two_node", "two nodes"}, {"section", "section"}} : models;
 }
 
 bool has(const std::vector<std::string>& words, const std::string& word) {

@@ -22,10 +22,10 @@ namespace tiretherm::input {
 
 /// A model that the table judges.
 struct ValidationModel {
-    std::string key;   ///< "two_node": how its cases end, and its key in `files`
-    std::string name;  ///< "two nodes": as people call it
-    std::string of;    ///< key of the model whose cases it takes; empty: it has its own
-    std::string with;  ///< file beside each of these cases, whose values win over theirs
+    std::string key;     ///< "two_node": how its cases end, and its key in `files`
+    std::string name;    ///< "two nodes": as people call it
+    std::string of{};    ///< key of the model whose cases it takes; empty: it has its own
+    std::string with{};  ///< file beside each of these cases, whose values win over theirs
 };
 
 /// A readout of one run.
