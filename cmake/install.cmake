@@ -11,7 +11,7 @@ foreach(part IN LISTS TIRETHERM_PARTS ITEMS session)
     install(EXPORT tiretherm_${part} NAMESPACE tiretherm:: FILE tiretherm_${part}.cmake DESTINATION ${package_dir})
 endforeach()
 install(DIRECTORY mesh physics solver input diagnosis post DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm
-    FILES_MATCHING PATTERN "*.hpp")
+    FILES_MATCHING PATTERN "*.hpp" PATTERN "*.list")  # a header may include a list
 install(FILES LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases)
 install(PROGRAMS tools/spreadsheet_to_case.py DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/tools)

@@ -142,13 +142,13 @@ def laser_plans(entry, sources, run):
 
 
 def hot_spot_study(entry, sources, run):
-    """Samples of the hot spot of the whole tire, and how many pass 110 degC."""
+    """Samples of the hot spot of the whole tire, and how many pass 95 degC."""
     out = sources.scratch / "hot_spot_study"
     run([str(sources.program), "study", "cases/studies/fmvss_139_hot_spot.toml", "--quiet", "--out",
          str(out)], ROOT)
     with open(out / "study.csv", newline="") as file:
         hottest = [float(row["hottest [degC]"]) for row in csv.DictReader(file)]
-    above = sum(kelvin > 110.0 for kelvin in hottest)
+    above = sum(kelvin > 95.0 for kelvin in hottest)
     z, n = 1.959964, len(hottest)
     p = above / n
     half = z * (p * (1 - p) / n + z * z / (4 * n * n)) ** 0.5

@@ -122,6 +122,9 @@ MeshTemplate mesh_template(std::string_view name, double tread_thickness_mm) {
             take_head(parts.front(), made);
         }
         for (std::size_t i = 1; i < parts.size(); ++i) {
+            if (file != library.heat_paths && parts[i].table.starts_with("effects.") && made.name != specimen_mesh) {
+                parts[i].lines.clear();  // the standard values
+            }
             take(std::move(parts[i]), made);
         }
     }

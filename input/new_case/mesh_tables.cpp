@@ -66,8 +66,11 @@ void write_effect(CaseWriter& writer, std::string_view id, const CasePart* named
             writer.entry(parameter.key, parameter.standard);
         }
     }
-    if (named != nullptr && named->lines.size() > 1) {
-        writer.lines({named->lines.begin() + 1, named->lines.end()}, table);
+    if (named != nullptr) {
+        const auto heading = std::ranges::find_if(named->lines, [](const auto& line) { return line.starts_with('['); });
+        if (heading != named->lines.end()) {
+            writer.lines({heading + 1, named->lines.end()}, table);
+        }
     }
     if (on_drum && id == "strain_energy_loss") {
         writer.entry("belt_edge_gain", "1.0",

@@ -28,7 +28,7 @@ bool Newton::closes_heat_budget(const Stage& stage) const {
     for (const double w : system_->terms().watts) {
         turnover += std::abs(w);
     }
-    return std::abs(sum(residual_)) <= energy_closure * stage.s * turnover + 4e-16 * sum(enthalpy_);
+    return std::abs(system_->of_budget(residual_)) <= energy_closure * stage.s * turnover + 4e-16 * sum(enthalpy_);
 }
 
 /// Moves all temperatures alike until the heat budget closes. @returns false where that does not lead there
@@ -54,7 +54,7 @@ double Newton::polish(std::span<double> T) {
     factors_.current().solve(residual_, correction_);
     ++now_.counters.linear_iterations;
     J_.multiply(correction_, remainder_);
-    const double left = sum(residual_) - sum(remainder_);
+    const double left = system_->of_budget(residual_) - system_->of_budget(remainder_);
     const double shift = now_.weight != 0.0 ? left / now_.weight : 0.0;
     double largest = 0.0;
     for (std::size_t i = 0; i < T.size(); ++i) {
@@ -67,7 +67,7 @@ double Newton::polish(std::span<double> T) {
 /// Moves every temperature by the constant that closes the balance of the whole mesh, whose slope is learnt from one
 /// such move to the next. @returns K
 double Newton::shift_all(std::span<double> T) {
-    const double joules = sum(residual_);
+    const double joules = system_->of_budget(residual_);
     if (now_.last_shift != 0.0) {
         const double slope = (now_.last_joules - joules) / now_.last_shift;
         // Of a move near round-off only what is plausible; of a larger one anything that rises: a law may have a kink there.
@@ -85,8 +85,8 @@ double Newton::shift_all(std::span<double> T) {
 /// Shifts the correction by the constant that makes the linearised balance of the whole mesh exact. @returns its size, K
 double Newton::close_linearised_budget() {
     J_.multiply(ones_, J_ones_);
-    now_.weight = sum(J_ones_);
-    const double shift = now_.weight != 0.0 ? sum(remainder_) / now_.weight : 0.0;
+    now_.weight = system_->of_budget(J_ones_);
+    const double shift = now_.weight != 0.0 ? system_->of_budget(remainder_) / now_.weight : 0.0;
     double largest = 0.0;
     for (double& change : correction_) {
         change += shift;

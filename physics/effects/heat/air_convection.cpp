@@ -74,7 +74,7 @@ constexpr std::array choices{Choice{
     "the exponential term of (33): bounded by exponential_limit times the forced part; on, as the thesis has it, "
     "without bound; or off"}};
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
-constexpr std::array<std::string_view, 3> may_read{"inflation_pressure", "slip_ratio", "slip_speed"};
+constexpr std::array<std::string_view, 2> may_read{"inflation_pressure", "slip_speed"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 ForcedConvection forced_of(const ActiveEffect& active) {
@@ -84,8 +84,10 @@ ForcedConvection forced_of(const ActiveEffect& active) {
             .air_viscosity = active[air_viscosity]};
 }
 
-/// Of the air along the tread: of the car or of the tire's own turning.
-double speed_of_air(const Inputs& inputs) { return std::max(std::abs(inputs.speed), std::abs(rolling_speed(inputs))); }
+/// Of the air along the tread: the thesis's V, or that of a wheel that spins on the spot; a slip ratio leaves V.
+double speed_of_air(const Inputs& inputs) {
+    return std::max(std::abs(inputs.speed), std::abs(inputs.speed + inputs.slip_speed));
+}
 
 double reynolds_in_millions(const ActiveEffect& active, const Tire& tire, const Inputs& inputs) {
     return 1e-6 * forced_of(active).reynolds(tire, speed_of_air(inputs));

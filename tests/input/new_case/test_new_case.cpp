@@ -23,7 +23,7 @@ std::filesystem::path library(const std::string& name) { return source_folder() 
 // The library's cases are the source of the new case's values, so not a digit may differ.
 TEST(NewCase, ThesisTireGivesTheLibrarysNumbersOnEveryMesh) {
     for (const auto& [mesh, name] :
-         {std::pair("section", "section/4000N_100kmh"), std::pair("layers", "layers/two_conductivities"),
+         {std::pair("section", "section/4000N_100kmh_all_heat_paths"), std::pair("layers", "layers/two_conductivities"),
           std::pair("two_node", "two_node/4000N_100kmh")}) {
         const Written written;
         const NewCase made = make(written, "225/50 R17", mesh);

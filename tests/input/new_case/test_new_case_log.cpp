@@ -53,7 +53,7 @@ TEST(NewCaseLog, StandardColumnsDriveAndAreCompared) {
     EXPECT_TRUE(column_of(made, "speed").is_input);
     EXPECT_TRUE(column_of(made, "bulk_temperature").is_sensor);
     EXPECT_FALSE(column_of(made, "throttle").is_used());
-    EXPECT_EQ(made.assumed.size(), 1U);  // the tire's laws
+    EXPECT_EQ(made.assumed.size(), 2U);  // laws of the tire, conductivities
 
     const ExperimentReading reading = read_experiment(written.add("case.toml", made.text));
     ASSERT_TRUE(reading.experiment.has_value()) << render(reading.errors.front());
