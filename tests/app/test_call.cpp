@@ -204,8 +204,8 @@ TEST(Inputs, AllAreListedWithUnitSignAndReaders) {
 TEST(Inputs, OneNamesTheEffectsAndSensorsThatReadIt) {
     const Json camber = Json::parse(call("inputs camber --json").out);
     EXPECT_EQ(camber["used_by"], Json::array({"input_delay", "camber_asymmetry"}));
-    EXPECT_EQ(camber["sensors"], Json::array({"bulk_temperature_factor", "lateral_force", "reference_lateral_force",
-                                              "longitudinal_force"}));
+    EXPECT_EQ(camber["sensors"], Json::array({"cornering_stiffness", "bulk_temperature_factor", "lateral_force",
+                                              "reference_lateral_force", "longitudinal_force"}));
     EXPECT_NE(call("inputs camber").out.find("Used where given by the effects: input_delay, camber_asymmetry\n"),
               std::string::npos);
     const Call wrong = call("inputs cambr");

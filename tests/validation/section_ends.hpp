@@ -22,6 +22,7 @@ inline constexpr std::array section_ends{
     SectionEnd{"drum/235_45_R17_section", 83.5, 84.2},
     SectionEnd{"drum/245_40_R18_section", 83.0, 83.2},
     SectionEnd{"drum/265_65_R16C_section", 72.2, 97.2},
+    SectionEnd{"section/4000N_100kmh_all_heat_paths", 48.2, 46.1},
     SectionEnd{"section/4000N_100kmh_resolved_contact", 55.3, 56.2},
     SectionEnd{"section/4000N_100kmh_rotating_disk", 57.5, 55.6},
 };

@@ -22,8 +22,10 @@ std::vector<std::string> experiments() {
     for (const char* folder : {"flat_trac", "drum", "oval_track", "handling", "section"}) {
         for (const auto& entry : fs::directory_iterator(library() / folder)) {
             const std::string stem = entry.path().stem().string();
-            // What a diagnosis is given is no experiment of its own.
-            if (entry.path().extension() == ".toml" && !stem.ends_with("common") && !stem.starts_with("diagnose")) {
+            // What a diagnosis is given is no experiment of its own, nor is what lies over cases.
+            const bool lies_over_cases = stem == "all_heat_paths" || stem == "literature_conductivities";
+            if (entry.path().extension() == ".toml" && !stem.ends_with("common") && !stem.starts_with("diagnose") &&
+                !lies_over_cases) {
                 found.push_back(std::string(folder) + "/" + stem);
             }
         }
