@@ -99,8 +99,7 @@ constexpr std::array choices{
            "which temperature softens the loss tangent: the bulk's mean, as with two nodes, or that of each cell"},
     Choice{"speed", speeds,
            "at which speed the tire is deformed: that of the wheel's rotation, V (1 + slip_ratio) or V + slip_speed, "
-           "of which "
-           "a locked wheel has none, or V, as in the thesis's (45)"}};
+           "of which a locked wheel has none, or V, as in the thesis's (45)"}};
 constexpr std::array tables{
     Table{"profile", "m", "1",
           "weight of the loss along the meridian, such as the contact pressure, against the arc "
@@ -366,14 +365,10 @@ const Effect strain_energy_loss{
         "Heat of cyclic deformation, shared over the cells by mass and by the weights of layers, zones and the "
         "place along the meridian; however it is shared, the total is the law's. tan delta is taken at the bulk's mean "
         "temperature unless it is to be local; none where the wheel does not turn or without load. Below "
-        "tan_delta_peak the loss tangent "
-        "falls "
-        "again: the Gaussian, fitted above 0 degC, would rise without end in the cold. The loss falls with the "
-        "inflation "
-        "pressure, (p/reference_pressure)^-pressure_exponent_of_loss of [tire], where the pressure is given (SAE "
-        "J2452). "
-        "tan_delta_a, _b, _c and _peak may differ by layer, one compound each; Kraus's law lets the loss follow the "
-        "strain. "
+        "tan_delta_peak the loss tangent falls again: the Gaussian, fitted above 0 degC, would rise without end in the "
+        "cold. The loss falls with the inflation pressure, (p/reference_pressure)^-pressure_exponent_of_loss of "
+        "[tire], where the pressure is given (SAE J2452). tan_delta_a, _b, _c and _peak may differ by layer, one "
+        "compound each; Kraus's law lets the loss follow the strain. "
         "A field of a structural code may replace the weights, or the loss itself; a drum's table (total) or SAE J2452 "
         "coefficients (coastdown) the total, scaled by the lambdas and by laws that scale the loss.",
     .compared = compared,
