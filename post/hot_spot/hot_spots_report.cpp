@@ -140,10 +140,11 @@ DataTable drivers(const solver::Spread& spread) {
 void say_spread(Section& section, const solver::Spread& spread, double critical) {
     section.add(drivers(spread));
     section.say("change K: for one standard deviation; nonlinear K: deviation from a straight line.");
-    section.say(fmt::format(
-        "Together {} +- {:.1f} degC (one standard deviation, first order): above {} degC with a "
-        "probability of {:.1f} %.",
-        degrees(spread.mean), spread.standard_deviation, degrees(critical), 100.0 * spread.chance_above(critical)));
+    section.say(
+        fmt::format("Together {} +- {:.1f} degC (one standard deviation, first order): above {} degC with a "
+                    "probability of {}.",
+                    degrees(spread.mean), spread.standard_deviation, degrees(critical),
+                    probability_text(spread.chance_above(critical))));
 }
 
 Section spot_part(const HotSpots& all, const HotSpot& spot, const mesh::Mesh& mesh) {
@@ -238,6 +239,12 @@ void add_history_chart(Section& section, const HotSpots& hot_spots) {
 }
 
 }  // namespace
+
+std::string probability_text(double probability) {
+    return probability < 0.01   ? "less than 1 %"
+           : probability > 0.99 ? "more than 99 %"
+                                : fmt::format("{:.1f} %", 100.0 * probability);
+}
 
 std::string moment_text(const TestMoment& moment) {
     const std::string when = fmt::format("after {}", minutes(moment.time));

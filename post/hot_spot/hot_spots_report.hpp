@@ -12,6 +12,8 @@ namespace tiretherm::post {
 
 /// "step 3 (160 km/h, 5580 N), 4.2 min into it"; "at 160 km/h and 5580 N" where there are no steps.
 [[nodiscard]] std::string moment_text(const diagnosis::TestMoment& moment);
+/// "64.1 %"; "less than 1 %", "more than 99 %": assumed spreads on a straight line say no more of the tails.
+[[nodiscard]] std::string probability_text(double probability);
 
 /// What is said of each: how hot, where, when passed or what is left, step by step, what drives it.
 [[nodiscard]] Section hot_spots_section(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);

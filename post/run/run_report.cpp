@@ -195,9 +195,9 @@ std::string spot_verdict(const diagnosis::HotSpot& spot) {
     std::string text;
     if (spot.spread) {
         const double above = spot.spread->chance_above(critical.temperature);
-        text = fmt::format("{} {:.1f} +- {:.1f} degC: {} its critical {:.5g} degC with a probability of {:.0f} %",
+        text = fmt::format("{} {:.1f} +- {:.1f} degC: {} its critical {:.5g} degC with a probability of {}",
                            critical.name, celsius(spot.spread->mean), spot.spread->standard_deviation,
-                           above > 0.5 ? "above" : "below", level, 100.0 * std::max(above, 1.0 - above));
+                           above > 0.5 ? "above" : "below", level, probability_text(std::max(above, 1.0 - above)));
         text += spot.passing ? "; it passes " + moment_text(*spot.passing) : "";
     } else {
         const double peak = spot.hottest.temperature;

@@ -85,4 +85,11 @@ TEST(HotSpotsReport, TheTableHasARowForEachRowOfTheRun) {
 }
 
 }  // namespace
+// Four standard deviations are not 100 %: the spreads are assumed, and the tails are not looked at.
+TEST(HotSpotsReport, TailsOfAProbabilityAreBounded) {
+    EXPECT_EQ(probability_text(0.641), "64.1 %");
+    EXPECT_EQ(probability_text(0.009), "less than 1 %");
+    EXPECT_EQ(probability_text(0.99997), "more than 99 %");
+}
+
 }  // namespace tiretherm::post
