@@ -100,13 +100,13 @@ TEST(TwoNodes, CapacitiesAreTheThesisMassesTimesItsSpecificHeat) {
     std::vector<double> warm(2);
     system.enthalpy(std::vector<double>{300.0, 300.0}, cold);
     system.enthalpy(std::vector<double>{301.0, 301.0}, warm);
-    EXPECT_NEAR(warm[0] - cold[0], support::TwoNodeThesis::capacity_surface(), 1e-9 * 1666.8);
-    EXPECT_NEAR(warm[1] - cold[1], support::TwoNodeThesis::capacity_bulk(), 1e-9 * 9445.1);
-    EXPECT_NEAR(support::TwoNodeThesis::mass(), 6.173, 5e-4);  // as thesis-notes.md rounds it
+    EXPECT_NEAR(warm[0] - cold[0], support::TwoNodeThesis{}.capacity_surface(), 1e-9 * 1666.8);
+    EXPECT_NEAR(warm[1] - cold[1], support::TwoNodeThesis{}.capacity_bulk(), 1e-9 * 9445.1);
+    EXPECT_NEAR(support::TwoNodeThesis{}.mass(), 6.173, 5e-4);  // rounded
 }
 
 TEST(TwoNodes, DissipateAsMuchAsTheNotesComputeAt50And80Celsius) {
-    // thesis-notes.md section 4 quotes whole watts: half a watt of rounding.
+    // Whole watts: half a watt of rounding.
     struct Quoted {
         double Fz;
         double kilometres_per_hour;

@@ -88,8 +88,8 @@ std::map<double, std::vector<double>> truth() {
     for (const Leg& leg : drive()) {
         const auto rate = [&](double t, std::span<const double> y, std::span<double> dy) {
             const TwoNodeThesis::Flow flow = leg.at(t).flow(y[0], y[1]);
-            dy[0] = flow.surface / TwoNodeThesis::capacity_surface();
-            dy[1] = flow.bulk / TwoNodeThesis::capacity_bulk();
+            dy[0] = flow.surface / TwoNodeThesis{}.capacity_surface();
+            dy[1] = flow.bulk / TwoNodeThesis{}.capacity_bulk();
         };
         for (double t = leg.from; t < leg.to; t += 30.0) {
             support::integrate_by_cvode(rate, t, t + 30.0, T, 1e-12, 1e-10);
@@ -165,7 +165,7 @@ TEST(TwoNodes, ErrorControlKeepsAFewTolerances) {
 }
 
 TEST(TwoNodes, SettleAtTheTemperaturesOfTheThesisNotes) {
-    // thesis-notes.md section 4, integrated by LSODA for 3600 s from 23 C: quoted to 0.1 K, so 0.05 K of rounding and
+    // The same equations, integrated by LSODA elsewhere for 3600 s from 23 C: quoted to 0.1 K, so 0.05 K of rounding and
     // 0.01 K for the steps. CVODE on the equations of this folder must agree as well.
     struct Quoted {
         double Fz;
@@ -191,8 +191,8 @@ TEST(TwoNodes, SettleAtTheTemperaturesOfTheThesisNotes) {
         std::vector<double> T{296.15, 296.15};
         const auto rate = [&](double, std::span<const double> y, std::span<double> dy) {
             const TwoNodeThesis::Flow flow = thesis.flow(y[0], y[1]);
-            dy[0] = flow.surface / TwoNodeThesis::capacity_surface();
-            dy[1] = flow.bulk / TwoNodeThesis::capacity_bulk();
+            dy[0] = flow.surface / TwoNodeThesis{}.capacity_surface();
+            dy[1] = flow.bulk / TwoNodeThesis{}.capacity_bulk();
         };
         support::integrate_by_cvode(rate, 0.0, 3600.0, T);
         EXPECT_NEAR(report.channel_final[0], T[0], 5e-3);  // five tolerances, as above
