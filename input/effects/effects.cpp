@@ -43,16 +43,13 @@ void refuse_user_effect(TomlTable& table, const Effect& effect) {
 }  // namespace
 
 std::string unknown_effect_remedy(std::string_view id, std::vector<std::string> known) {
-    std::size_t of_the_catalogue = 0;
     for (const Effect* effect : physics::catalogue()) {
         if (!physics::is_user_effect(*effect)) {
             known.emplace_back(effect->id);
-            ++of_the_catalogue;
         }
     }
     // The catalogue is too long for a message.
-    return nearest(id, known).empty() ? fmt::format("`tiretherm effects` lists all {} of them", of_the_catalogue)
-                                      : suggest(id, known, "effects");
+    return nearest(id, known).empty() ? "`tiretherm effects` lists all of them" : suggest(id, known, "effects");
 }
 
 bool read_effects(TomlTable& root, const EffectSurroundings& in, solver::Problem& problem) {

@@ -24,6 +24,7 @@ inline Part loud(std::string_view id) {
                                          {"road_temperature_drift", {{"rate", 20.0}}},
                                          {"air_temperature_drift", {{"rate", 20.0}}},
                                          {"slip_input_gain", {{"gain", 1.2}}},
+                                         {"slip_angle_offset", {{"offset", 0.01}}},
                                          {"load_input_gain", {{"gain", 1.2}}},
                                          {"speed_input_gain", {{"gain", 1.2}}},
                                          {"laser_absorptivity", {{"factor", 0.9}, {"fall", 0.1}}},
@@ -40,6 +41,8 @@ inline Part loud(std::string_view id) {
                                          {"clock_delay", {{"delay", 0.5}}},
                                          {"sensor_offset", {{"kelvin", 1.0}}},
                                          {"sensor_gain", {{"excess", 0.05}}},
+                                         {"sensor_drift", {{"rate", 5.0}}},
+                                         {"wind", {{"speed", 8.0}}},
                                          {"own_source", {{"watts", -300.0}}},
                                          {"own_exchange", {{"conductance", 3.0}}}};
     const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.id == id; });

@@ -30,6 +30,7 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
                                                 "travelling_contact",
                                                 "contact_pressure_conductance",
                                                 "convection_exponent",
+                                                "wind",
                                                 "partition_speed",
                                                 "loss_tangent_slope",
                                                 "loss_frequency_shift",
@@ -47,11 +48,13 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
                                                 "sensor_lag",
                                                 "sensor_offset",
                                                 "sensor_gain",
+                                                "sensor_drift",
                                                 "sensor_depth",
                                                 "camera_emissivity",
                                                 "pressure_reading_speed",
                                                 "clock_delay",
                                                 "slip_input_gain",
+                                                "slip_angle_offset",
                                                 "load_input_gain",
                                                 "speed_input_gain",
                                                 "input_delay",
@@ -82,16 +85,18 @@ TEST(Catalogue, ReadingsStandInTheirOrder) {
         }
     }
     EXPECT_EQ(order, (std::vector<std::string_view>{"camera_emissivity", "sensor_depth", "clock_delay", "sensor_lag",
-                                                    "sensor_offset", "sensor_gain", "pressure_reading_speed"}));
+                                                    "sensor_offset", "sensor_gain", "sensor_drift",
+                                                    "pressure_reading_speed"}));
 }
 
 TEST(Catalogue, OrderOfEffectsDoesNotMatter) {
     // Everything that can act, switched on from first to last and from last to first: the same sums but for the order of
     // additions. Lumped nodes, whose numbers differ, are compared by name.
+    // A zero error of the slip angle is added to what its gain makes, as the catalogue has them: here it stays away.
     for (const Bench& bench : {two_nodes(), specimen(), section()}) {
         std::vector<Part> parts;
         for (const Effect* effect : catalogue()) {
-            if (effect->sensor_model() == nullptr && can_act(*effect, bench)) {
+            if (effect->sensor_model() == nullptr && can_act(*effect, bench) && effect->id != "slip_angle_offset") {
                 parts.push_back(loud(effect->id));
             }
         }

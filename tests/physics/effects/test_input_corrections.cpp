@@ -45,6 +45,20 @@ TEST(SlipInputGain, IsAFactorOnTheHeatOfFriction) {
     EXPECT_NEAR(more.ask(large).watts("sliding_friction"), 1.3 * plain.ask(large).watts("sliding_friction"), 1e-9);
 }
 
+TEST(SlipAngleOffset, ShiftsTheAngle) {
+    // 2 degrees logged and 0.5 degrees of zero error are a slip angle of 2.5 degrees, and none logged one of 0.5.
+    constexpr double degree = 3.14159265358979 / 180.0;
+    Whole plain(two_nodes(), {{"sliding_friction"}});
+    Whole shifted(two_nodes(), {{"sliding_friction"}, {"slip_angle_offset", {{"offset", 0.5 * degree}}}});
+    for (const double logged : {2.0, 0.0, -0.2}) {
+        Inputs in = driven();
+        in.slip_angle = logged * degree;
+        Inputs as_it_was = in;
+        as_it_was.slip_angle = (logged + 0.5) * degree;
+        EXPECT_NEAR(shifted.ask(in).watts("sliding_friction"), plain.ask(as_it_was).watts("sliding_friction"), 1e-9);
+    }
+}
+
 TEST(LoadInputGain, IsAFactorOnTheLoad) {
     // Contact conductance 500 * 2.333e-6 * 4000 = 4.666 W/K, proportional to the load; 12 K above the road.
     Whole whole(two_nodes(), {{"road_contact"}, {"load_input_gain", {{"gain", 1.1}}}});

@@ -124,6 +124,21 @@ TEST(ConvectionExponent, StartsFromTheExponentInUse) {
     EXPECT_LT(bent.ask(at_speed(50.0)).watts("air_convection"), plain.ask(at_speed(50.0)).watts("air_convection"));
 }
 
+TEST(Wind, AddsToTheSpeedOfTheAir) {
+    // 10 m/s across 25 m/s: (1 + 0.16)^(0.571/2) = exp(0.2855 * 0.148420) = 1.043283 times the forced part of (32), which is
+    // 61.02 W/m2K there (ConvectionExponent, TurnsTheForcedPartAboutItsPivot). A tire that stands has none.
+    const Bench bench = two_nodes();
+    Whole plain(bench, {{"air_convection"}});
+    Whole windy(bench, {{"air_convection"}, {"wind", {{"speed", 10.0}}}});
+    const double area = bench.tire.outer_area() - 2.333e-6 * 4000.0;
+    const auto film = [&](Whole& whole, double speed) {
+        whole.ask(at_speed(speed));
+        return whole.system().terms().node_G[0] / area;
+    };
+    EXPECT_NEAR(film(windy, 90.0) - film(plain, 90.0), 0.043283 * 61.02, 0.001);
+    EXPECT_NEAR(film(windy, 0.0), film(plain, 0.0), 1e-12);
+}
+
 TEST(PartitionSpeed, IsALineInTheSlidingSpeed) {
     // v_s = 27.778 sqrt(0.01^2 + tan(2 deg)^2) = 27.778 * 0.036324 = 1.00900 m/s; 0.05 s/m: 1.050450 times 1247.36 W.
     Whole whole(two_nodes(), {{"sliding_friction"}, {"partition_speed", {{"slope", 0.05}}}});

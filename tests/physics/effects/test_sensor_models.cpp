@@ -75,6 +75,11 @@ TEST(SensorOffset, MayDifferBetweenChannels) {
     EXPECT_EQ(effect.effect->sensor_model()->read(effect, 1, 300.0, {}), 303.0);
 }
 
+TEST(SensorDrift, GrowsWithTheTimeOfTheRun) {
+    // 60 K/h for the 60 s of the run: 1 K.
+    EXPECT_NEAR(final_reading({{"sensor_drift", {{"rate", 60.0}}}}) - final_reading({}), 1.0, 1e-9);
+}
+
 TEST(SensorGain, TurnsAbout25C) {
     // 80 C: 0.05 * (80 - 25) = 2.75 K too high.
     EXPECT_NEAR(read({"sensor_gain", {{"excess", 0.05}}}, 353.15, {}), 353.15 + 2.75, 1e-12);
