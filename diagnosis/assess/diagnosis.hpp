@@ -160,15 +160,19 @@ struct UpperLimit {
     double high = 0.0;
 };
 
-/// Missing heat over a window of time, inferred from the data: what it would have to be for the base model to fit
-/// there, all else as it is.
+/// Missing heat at a place over a window of time, inferred from the data: what it would have to be, together with that in all other
+/// windows, for the base model to fit, if it all enters at this place.
 struct MissingHeat {
     std::size_t run = 0;
     std::string place;
     double from = 0.0;  ///< s
     double to = 0.0;
     double watts = 0.0;
-    double sigma = 0.0;  ///< standard deviations from none, with its sign
+    double deviation = 0.0;  ///< W, standard deviation, > 0
+
+    [[nodiscard]] double low() const { return watts - 1.96 * deviation; }  ///< 95 %
+    [[nodiscard]] double high() const { return watts + 1.96 * deviation; }
+    [[nodiscard]] double sigma() const { return watts / deviation; }  ///< standard deviations from none, with its sign
 };
 
 /// Everything that a diagnosis found out.

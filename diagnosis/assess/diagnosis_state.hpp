@@ -82,8 +82,8 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into);
 /// hypotheses.
 void plan_next(const DiagnosisState& state, Diagnosis& into);
 
-/// The missing heat that the residuals of the base model imply, by the adjoint of the discrete run: one run backwards
-/// says for every place and moment how the likelihood would rise with heat there. What noise makes of it is drawn.
+/// The missing heat that the residuals of the base model imply, beside its free numbers: the heat at a place in all windows of all
+/// runs, together, from what each watt would do to the readings.
 void estimate_missing_heat(const DiagnosisState& state, Diagnosis& into);
 
 /// Writes what was found into a diagnosis.

@@ -1,63 +1,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Estimates the missing heat by place and time from the residuals, with one adjoint run backwards for each measured
-// run; simulated noise gives its standard deviation.
+// Estimates the missing heat by place and time from the residuals: all windows of a place together, as random walks, from the
+// linearised runs.
 
-#include <cmath>
-#include <random>
+#include <algorithm>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
+#include "diagnosis/fit/random_walk.hpp"
 #include "solver/in_parallel.hpp"
-#include "solver/sensitivity/adjoint_record.hpp"
 
 namespace tiretherm::diagnosis {
 
 namespace {
 
-/// Windows of a run over which the heat is said.
-constexpr int windows = 40;
-/// Of noise: the standard deviation is then known to 13 %, on large meshes to 20 %.
-constexpr int draws = 30;
-constexpr int few_draws = 12;
+/// Windows of a run over which the heat is said. Each costs a run of the linear equations.
+constexpr std::size_t most_windows = 40;
+constexpr std::size_t most_on_large_meshes = 16;
 constexpr int small = 50;  // nodes
+/// Of all runs together.
+constexpr std::size_t most_of_all_runs = 400;
 
-/// What the heat at each place and window would raise weighted sums of the readings by, W by W.
-/// @param weights [n_rows x n_sums] of the readings  @returns [n_windows * n_places x n_sums]
-Eigen::MatrixXd answers(solver::AdjointRecord& record, const Observations& observations, std::size_t run,
-                        std::size_t n_channels, const solver::Settings& settings, const std::vector<HeatPlace>& places,
-                        const Eigen::MatrixXd& weights) {
-    const std::size_t n_readings = observations.times[run].size() * n_channels;
-    const auto n_sums = static_cast<std::size_t>(weights.cols());
-    std::vector<double> of_reading(n_readings * n_sums);
-    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
-        const Observations::Row& what = observations.rows[row];
-        for (std::size_t k = 0; what.run == run && k < n_sums; ++k) {
-            of_reading[k * n_readings + what.time * n_channels + what.channel] =
-                weights(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
+/// The normal equations of the heat in the windows of one run, beside the free numbers of the model.
+struct RunWindows {
+    std::vector<UnknownTerm> terms;         ///< window by window
+    std::vector<Eigen::MatrixXd> of_place;  ///< [n_places] [windows][windows], before the free numbers take their part
+    Eigen::MatrixXd explained;              ///< [n][n_terms] by the free numbers
+    Eigen::VectorXd right;                  ///< [n_terms]
+};
+
+/// @param left [n_rows] the whitened residual less what the free numbers make up
+RunWindows windows_of_run(std::size_t run, const ScoreTestData& score_data, const solver::Problem& problem,
+                          const NuisanceProjector& projector, const Eigen::VectorXd& left, int windows) {
+    const Observations& observations = *score_data.observations;
+    const std::vector<HeatPlace>& places = score_data.unknowns.places;
+    CandidateSources events = events_of_run(run, observations, problem, score_data.steps[run], places, windows);
+    std::vector<Block> blocks = observations.blocks;
+    std::erase_if(blocks, [&](const Block& block) {
+        return observations.rows[static_cast<std::size_t>(block.first)].run != run;
+    });
+    whiten(blocks, score_data.noise, events.columns);
+    RunWindows found{.terms = std::move(events.terms),
+                     .of_place = {},
+                     .explained = projector.explained(events.columns),
+                     .right = events.columns.transpose() * left};
+    const auto n_places = static_cast<Eigen::Index>(places.size());
+    for (Eigen::Index p = 0; p < n_places; ++p) {
+        const Eigen::MatrixXd columns = events.columns(Eigen::all, Eigen::seqN(p, windows, n_places));
+        found.of_place.emplace_back(columns.transpose() * columns);
+    }
+    return found;
+}
+
+/// The heat at one place in all windows that the data see.
+void estimate_place(std::size_t place, std::size_t n_places, const std::string& name,
+                    const std::vector<RunWindows>& runs, Diagnosis& into) {
+    struct Seen {
+        std::size_t run;
+        Eigen::Index window;
+        Eigen::Index term;
+    };
+    std::vector<Seen> seen;
+    std::vector<Walk> walks;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const auto first = static_cast<Eigen::Index>(seen.size());
+        for (Eigen::Index w = 0; !runs[r].terms.empty() && w < runs[r].of_place[place].rows(); ++w) {
+            if (runs[r].of_place[place](w, w) > 0.0) {
+                seen.push_back({r, w, w * static_cast<Eigen::Index>(n_places) + static_cast<Eigen::Index>(place)});
+            }
+        }
+        if (const auto count = static_cast<Eigen::Index>(seen.size()) - first; count > 0) {
+            walks.push_back({first, count, runs[r].terms.front().to - runs[r].terms.front().from});
         }
     }
-    const double length = (settings.end - settings.start) / windows;
-    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(windows * static_cast<Eigen::Index>(places.size()), weights.cols());
-    const auto add_step = [&](std::size_t s, std::span<const double> by_heat) {
-        const double begin = s == 0 ? settings.start : record.end(s - 1);
-        const double end = record.end(s);
-        for (int w = std::max(0, static_cast<int>((begin - settings.start) / length) - 1); w < windows; ++w) {
-            const double from = settings.start + w * length;
-            if (from >= end) {
-                break;
-            }
-            const double share = std::max(0.0, std::min(end, from + length) - std::max(begin, from)) / (end - begin);
-            for (std::size_t p = 0; p < places.size() && share > 0.0; ++p) {
-                const mesh::Functional& nodes = places[p].nodes;
-                for (std::size_t k = 0; k < n_sums; ++k) {
-                    sums(static_cast<Eigen::Index>(p) * windows + w, static_cast<Eigen::Index>(k)) +=
-                        share * nodes(by_heat.subspan(k * record.n_nodes(), record.n_nodes()));
-                }
-            }
+    const auto m = static_cast<Eigen::Index>(seen.size());
+    Eigen::MatrixXd normal(m, m);
+    Eigen::VectorXd right(m);
+    for (Eigen::Index j = 0; j < m; ++j) {
+        const Seen& b = seen[static_cast<std::size_t>(j)];
+        right[j] = runs[b.run].right[b.term];
+        for (Eigen::Index i = 0; i < m; ++i) {
+            const Seen& a = seen[static_cast<std::size_t>(i)];
+            const double own = a.run == b.run ? runs[a.run].of_place[place](a.window, b.window) : 0.0;
+            normal(i, j) = own - runs[a.run].explained.col(a.term).dot(runs[b.run].explained.col(b.term));
         }
-    };
-    // A millionth is seen by no picture.
-    record.backward(n_sums, of_reading, add_step, 1e-6);
-    return sums;
+    }
+    const WalkEstimate heat = estimate_walks(normal, right, walks);
+    for (Eigen::Index k = 0; k < m; ++k) {
+        const Seen& at = seen[static_cast<std::size_t>(k)];
+        const UnknownTerm& term = runs[at.run].terms[static_cast<std::size_t>(at.term)];
+        into.missing_heat.push_back({.run = at.run,
+                                     .place = name,
+                                     .from = term.from,
+                                     .to = term.to,
+                                     .watts = heat.value[k],
+                                     .deviation = heat.deviation[k]});
+    }
 }
 
 }  // namespace
@@ -65,56 +101,29 @@ Eigen::MatrixXd answers(solver::AdjointRecord& record, const Observations& obser
 void estimate_missing_heat(const DiagnosisState& found, Diagnosis& into) {
     const ScoreTestData& score_data = found.score_data;
     const Observations& observations = *score_data.observations;
-    if (observations.channels.empty() || score_data.unknowns.places.empty()) {
+    const std::vector<HeatPlace>& places = score_data.unknowns.places;
+    const std::vector<input::MeasuredRun>& measured = score_data.experiment->runs;
+    if (observations.channels.empty() || places.empty()) {
         return;
     }
-    // The first column is what the data leave, the others are noise, both less what the free numbers make up.
     const NuisanceProjector projector(score_data.base.slopes, score_data.base.precision);
-    const Eigen::Index n_rows = observations.measured.size();
-    const int n_nodes = score_data.experiment->runs.front().problem.mesh.n_nodes;
-    const int n_draws = n_nodes > small ? few_draws : draws;
-    std::mt19937_64 engine(2011);
-    std::normal_distribution<double> normal;
-    Eigen::MatrixXd left = Eigen::MatrixXd::NullaryExpr(projector.rows(), n_draws + 1, [&] { return normal(engine); });
-    left = projector.project_extended(std::move(left));
-    left.col(0) = projector.project(score_data.base.residual, score_data.base.known);
-    Eigen::MatrixXd weights = left.topRows(n_rows);
-    whiten_transposed(observations.blocks, score_data.noise, weights);
-
+    const Eigen::VectorXd left =
+        projector.project(score_data.base.residual, score_data.base.known).head(observations.measured.size());
     const Simulator simulator(*score_data.experiment, observations);
-    const std::vector<HeatPlace>& places = score_data.unknowns.places;
-    std::vector<std::vector<MissingHeat>> of_run(score_data.experiment->runs.size());
-    solver::in_parallel(of_run.size(), [&](std::size_t r) {
+    const bool is_small = measured.front().problem.mesh.n_nodes <= small;
+    const auto windows = static_cast<int>(
+        std::clamp(most_of_all_runs / measured.size(), std::size_t{1}, is_small ? most_windows : most_on_large_meshes));
+    std::vector<RunWindows> runs(measured.size());
+    solver::in_parallel(runs.size(), [&](std::size_t r) {
         const solver::Problem problem = simulator.problem(r, score_data.base.values);
-        if (problem.settings.steady || score_data.experiment->runs[r].time.empty()) {
-            return;
-        }
-        solver::AdjointRecord record(problem, observations.times[r], score_data.steps[r]);
-        if (!record.status().ok()) {
-            return;
-        }
-        const Eigen::MatrixXd missing =
-            answers(record, observations, r, problem.channels.size(), problem.settings, places, weights);
-        if (!record.status().ok()) {
-            return;
-        }
-        const Eigen::VectorXd variance = missing.rightCols(n_draws).cwiseAbs2().rowwise().mean();
-        const double length = (problem.settings.end - problem.settings.start) / windows;
-        for (Eigen::Index k = 0; k < missing.rows(); ++k) {
-            if (variance[k] > 0.0) {
-                const double from = problem.settings.start + static_cast<double>(k % windows) * length;
-                of_run[r].push_back({.run = r,
-                                     .place = places[static_cast<std::size_t>(k / windows)].name,
-                                     .from = from,
-                                     .to = from + length,
-                                     .watts = missing(k, 0) / variance[k],
-                                     .sigma = missing(k, 0) / std::sqrt(variance[k])});
-            }
+        if (!problem.settings.steady && !measured[r].time.empty()) {
+            runs[r] = windows_of_run(r, score_data, problem, projector, left, windows);
         }
     });
-    for (std::vector<MissingHeat>& one : of_run) {
-        into.missing_heat.insert(into.missing_heat.end(), one.begin(), one.end());
+    for (std::size_t p = 0; p < places.size(); ++p) {
+        estimate_place(p, places.size(), places[p].name, runs, into);
     }
+    std::ranges::stable_sort(into.missing_heat, {}, &MissingHeat::run);
 }
 
 }  // namespace tiretherm::diagnosis

@@ -61,6 +61,19 @@ double overlap(double from, double to, double begin, double end) {
     return std::max(0.0, std::min(to, end) - std::max(from, begin)) / (to - from);
 }
 
+void name_events(std::size_t run, const solver::Settings& settings, int windows, CandidateSources& sources) {
+    const double length = (settings.end - settings.start) / std::max(1, windows);
+    for (int i = 0; i < windows; ++i) {
+        for (std::size_t p = 0; p < sources.places.size(); ++p) {
+            sources.terms.push_back({.place = p,
+                                     .event = true,
+                                     .run = run,
+                                     .from = settings.start + i * length,
+                                     .to = settings.start + (i + 1) * length});
+        }
+    }
+}
+
 void name_terms(const input::Experiment& experiment, const Observations& observations, int windows,
                 CandidateSources& sources) {
     for (std::size_t c = 0; c < sources.signals.size(); ++c) {
@@ -75,16 +88,8 @@ void name_terms(const input::Experiment& experiment, const Observations& observa
     }
     sources.n_followers = static_cast<Eigen::Index>(sources.terms.size());
     for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-        const solver::Settings& settings = experiment.runs[r].problem.settings;
-        const double length = (settings.end - settings.start) / std::max(1, windows);
-        for (int i = 0; i < windows && !experiment.runs[r].time.empty(); ++i) {
-            for (std::size_t p = 0; p < sources.places.size(); ++p) {
-                sources.terms.push_back({.place = p,
-                                         .event = true,
-                                         .run = r,
-                                         .from = settings.start + i * length,
-                                         .to = settings.start + (i + 1) * length});
-            }
+        if (!experiment.runs[r].time.empty()) {
+            name_events(r, experiment.runs[r].problem.settings, windows, sources);
         }
     }
 }
@@ -189,6 +194,17 @@ CandidateSources candidate_sources_of(const input::Experiment& experiment, const
                                             static_cast<Eigen::Index>(sources.terms.size()));
     solver::in_parallel(problems.size(),
                         [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], sources); });
+    return sources;
+}
+
+CandidateSources events_of_run(std::size_t run, const Observations& observations, const solver::Problem& problem,
+                               const std::vector<double>& steps, std::vector<HeatPlace> places, int windows) {
+    CandidateSources sources;
+    sources.places = std::move(places);
+    name_events(run, problem.settings, windows, sources);
+    sources.columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(observations.rows.size()),
+                                            static_cast<Eigen::Index>(sources.terms.size()));
+    fill_run(run, observations, problem, steps, sources);
     return sources;
 }
 

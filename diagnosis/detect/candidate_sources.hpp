@@ -65,4 +65,10 @@ struct CandidateSources {
                                                     const std::vector<solver::Problem>& problems,
                                                     const std::vector<std::vector<double>>& steps, int windows);
 
+/// Constant heat at each place in each of some windows of one run, window by window. @returns columns of all rows, zero in those of
+/// other runs
+[[nodiscard]] CandidateSources events_of_run(std::size_t run, const Observations& observations,
+                                             const solver::Problem& problem, const std::vector<double>& steps,
+                                             std::vector<HeatPlace> places, int windows);
+
 }  // namespace tiretherm::diagnosis

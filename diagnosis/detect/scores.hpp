@@ -25,10 +25,10 @@ public:
     /// @param known [n] what was known of each number less its value, in standard deviations  @returns [n_rows + n]
     [[nodiscard]] Eigen::VectorXd project(const Eigen::VectorXd& residual, const Eigen::VectorXd& known) const;
 
-    [[nodiscard]] Eigen::Index rows() const { return basis_.rows(); }
-    /// @param columns [n_rows + n][m] with rows for what was known
-    [[nodiscard]] Eigen::MatrixXd project_extended(Eigen::MatrixXd columns) const {
-        return remove_nuisance(std::move(columns));
+    /// What of columns the free numbers explain, in an orthonormal basis: the products of two projected columns are less than
+    /// those of the columns themselves by the products of these. @param columns [n_rows][m] whitened  @returns [n][m]
+    [[nodiscard]] Eigen::MatrixXd explained(const Eigen::MatrixXd& columns) const {
+        return basis_.topRows(n_rows_).transpose() * columns;
     }
 
 private:

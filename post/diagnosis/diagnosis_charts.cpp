@@ -166,13 +166,13 @@ void add_missing_heat_maps(Section& section, const DiagnosisRecord& record) {
                              .y_from = row,
                              .y_to = row + 1.0,
                              .value = one.watts,
-                             .is_marked = std::abs(one.sigma) >= significant});
+                             .is_marked = std::abs(one.sigma()) >= significant});
         }
         const std::string& name = record.experiment.runs[run].name;
         section.chart(
             "Inferred heat over place and time" + (name.empty() ? "" : ": " + name),
-            "Heat that the base model would need at each place in each window to fit, all else as it is. Framed: three "
-            "standard deviations or more.",
+            "Heat that the base model would need at each place to fit, if it all entered there: all windows together. "
+            "Framed: three standard deviations or more.",
             cell_chart({.name = "time", .unit = unit.name, .low = low / unit.seconds, .high = high / unit.seconds},
                        {.name = "", .words = std::move(places)},
                        {.name = "missing heat",

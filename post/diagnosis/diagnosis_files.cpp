@@ -48,10 +48,11 @@ std::string samples_csv(const DiagnosisRecord& record) {
 }
 
 std::string missing_heat_csv(const DiagnosisRecord& record) {
-    Csv csv({"run", "place", "from [s]", "to [s]", "watts [W]", "sigma [1]"});
+    Csv csv({"run", "place", "from [s]", "to [s]", "watts [W]", "low [W]", "high [W]", "sigma [1]"});
     for (const MissingHeat& missing : record.result.missing_heat) {
         csv.row(record.experiment.runs[missing.run].name, missing.place, Digits{missing.from, 10},
-                Digits{missing.to, 10}, Digits{missing.watts, 6}, Digits{missing.sigma, 5});
+                Digits{missing.to, 10}, Digits{missing.watts, 6}, Digits{missing.low(), 6}, Digits{missing.high(), 6},
+                Digits{missing.sigma(), 5});
     }
     return csv.text();
 }

@@ -140,27 +140,41 @@ void add_noise(std::vector<MeasuredSeries>& series, const DiagnosisRecord& recor
     }
 }
 
-/// The windows in which most heat is missing, and all of them as a map.
-Section missing_heat_section(const DiagnosisRecord& record) {
-    Section section("Inferred heat source");
+/// The windows in which missing heat is most significant.
+DataTable missing_heat(const DiagnosisRecord& record) {
     std::vector<MissingHeat> missing = record.result.missing_heat;
-    if (missing.empty()) {
-        return section;
-    }
     const auto largest = missing.begin() + static_cast<std::ptrdiff_t>(std::min(most_windows, missing.size()));
-    std::partial_sort(missing.begin(), largest, missing.end(),
-                      [](const MissingHeat& a, const MissingHeat& b) { return std::abs(a.sigma) > std::abs(b.sigma); });
+    std::partial_sort(missing.begin(), largest, missing.end(), [](const MissingHeat& a, const MissingHeat& b) {
+        return std::abs(a.sigma()) > std::abs(b.sigma());
+    });
     missing.erase(largest, missing.end());
     DataTable table;
     for (const MissingHeat& one : missing) {
-        table.add({page_only("run", record.experiment.runs[one.run].name), page_only("place", one.place),
-                   page_only("from s", shown("{:.0f}", one.from)), page_only("to s", shown("{:.0f}", one.to)),
-                   page_only("W", shown("{:+.3g}", one.watts)), page_only("sigma", shown("{:+.1f}", one.sigma))});
+        const auto to_its = [&](double watts) { return to_its_digits(watts, 1.96 * one.deviation); };
+        table.add({{"run", "run", record.experiment.runs[one.run].name},
+                   {"place", "place", one.place},
+                   {"from s", "from", shown("{:.0f}", one.from)},
+                   {"to s", "to", shown("{:.0f}", one.to)},
+                   {"W", "watts", {one.watts, to_its(one.watts)}},
+                   {"95 % from", "low", {one.low(), to_its(one.low())}},
+                   {"to", "high", {one.high(), to_its(one.high())}},
+                   {"sigma", "sigma", shown("{:+.1f}", one.sigma())}});
+    }
+    return table;
+}
+
+/// These windows, and all of them as a map.
+Section missing_heat_section(const DiagnosisRecord& record, DataTable table) {
+    Section section("Inferred heat source");
+    if (table.empty()) {
+        return section;
     }
     section.add(std::move(table));
     section.say(
-        "The heat that is missing in a window if all else is as in the base model; all windows are listed in "
-        "missing_heat.csv. A large sigma here is no verdict: there are many windows.");
+        "The heat that the base model lacks if all of it enters at the place; it is estimated in all windows together, "
+        "beside the "
+        "free parameters. All windows are listed in missing_heat.csv. A large sigma here is no verdict: there are many "
+        "windows.");
     add_missing_heat_maps(section, record);
     return section;
 }
@@ -235,6 +249,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     DataTable of_noise = noise(record);
     DataTable of_error = model_error(record);
     DataTable of_numbers = free_numbers(result);
+    DataTable of_heat = missing_heat(record);
     Report report{.title = record.experiment.runs.front().problem.title};
     report.lead = {fmt::format("{}, {} values, {}; {} simulations, {}", plural(record.experiment.runs.size(), "run"),
                                grouped(static_cast<double>(record.observations.measured.size())),
@@ -258,6 +273,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                    {"model_error", of_error.data()},
                    {"free_numbers", of_numbers.data()},
                    {"held_out_gains", held_out_data(result)},
+                   {"missing_heat", of_heat.data()},
                    {"columns", unused_columns_table(record.experiment).data()},
                    {"runs", run_verdicts_data(record)},
                    {"stopped", text_or_null(std::string(text_of(result.stopped)))}};
@@ -288,7 +304,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     const bool is_extended = models.size() > 1;
     add_observed_corners(report, record.experiment, record.observations, is_extended ? result.extended : result.base,
                          is_extended ? " with the extended model" : " after the fit");
-    report.add(missing_heat_section(record));
+    report.add(missing_heat_section(record, std::move(of_heat)));
     report.add(causes_section(result));
     report.add(Section("Upper limits (95 %)", std::move(of_limits)));
     report.add(gain_section(record, std::move(of_channels)));

@@ -369,19 +369,24 @@ TEST(DiagnosisReport, WindowsOfMissingHeatAreReportedAndWritten) {
     MadeUp made_up = sample::unknown();
     for (int i = 0; i < 7; ++i) {
         made_up.result.missing_heat.push_back(
-            {.run = 1, .place = "bulk", .from = 30.0 * i, .to = 30.0 * (i + 1), .watts = 10.0, .sigma = 0.5 * i});
+            {.run = 1, .place = "bulk", .from = 30.0 * i, .to = 30.0 * (i + 1), .watts = 10.0 * i, .deviation = 20.0});
     }
     made_up.result.missing_heat.push_back(
-        {.run = 2, .place = "surface", .from = 600.0, .to = 630.0, .watts = -85.0, .sigma = -4.25});
+        {.run = 2, .place = "surface", .from = 600.0, .to = 630.0, .watts = -85.0, .deviation = 20.0});
     const Report report = diagnosis_report(made_up.record(), {});
     const Section& inferred = section(report, "Inferred heat source");
-    EXPECT_EQ(post::row_texts(inferred, 0), (std::vector<std::string>{"run3", "surface", "600", "630", "-85", "-4.2"}));
-    EXPECT_EQ(post::row_texts(inferred, 1), (std::vector<std::string>{"run2", "bulk", "180", "210", "+10", "+3.0"}));
+    // -85 W and 60 W with 1.96 standard deviations of 20 W to either side
+    EXPECT_EQ(post::row_texts(inferred, 0),
+              (std::vector<std::string>{"run3", "surface", "600", "630", "-85", "-124", "-46", "-4.2"}));
+    EXPECT_EQ(post::row_texts(inferred, 1),
+              (std::vector<std::string>{"run2", "bulk", "180", "210", "60", "21", "99", "+3.0"}));
+    EXPECT_EQ(json(made_up)["missing_heat"].size(), 5u);
     EXPECT_EQ(post::row_count(inferred), 5u);
     const input::Written written;
     DiagnosisRecord record = made_up.record();
     EXPECT_EQ(write_diagnosis(record, written.folder()).size(), 3u);
-    EXPECT_TRUE(has(post::read_text(written.folder() / "missing_heat.csv"), "run3,surface,600,630,-85,-4.25\n"));
+    EXPECT_TRUE(
+        has(post::read_text(written.folder() / "missing_heat.csv"), "run3,surface,600,630,-85,-124.2,-45.8,-4.25\n"));
 }
 
 // Two laps of the first of three runs, of two channels: a row for each lap and for each run as a whole.
