@@ -61,6 +61,19 @@ void add_extra_sensors(MeshTemplate& made, double tread_thickness_mm) {
     made.sensors.push_back(extra("loaded_radius", radius, "loaded_radius"));
 }
 
+/// Probes of the library's cases are 10 mm deep in the crown of 12 mm. In a thinner one they are as near to its inner surface.
+void raise_probes(MeshTemplate& made, double tread_thickness_mm) {
+    constexpr double of_library = 12.0;  // mm
+    constexpr std::string_view depth = "10 mm";
+    for (TemplateSensor& sensor : made.sensors) {
+        for (std::string& line : sensor.lines) {
+            if (const std::size_t at = line.find(depth); at != std::string::npos && tread_thickness_mm < of_library) {
+                line.replace(at, depth.size(), fmt::format("{:g} mm", tread_thickness_mm - 2.0));
+            }
+        }
+    }
+}
+
 /// The lines above the first heading: what is said of sources and assumptions, and the key `sources`.
 void take_head(const CasePart& head, MeshTemplate& into) {
     if (into.sources.empty()) {
@@ -130,6 +143,7 @@ MeshTemplate mesh_template(std::string_view name, double tread_thickness_mm) {
     }
     // A specimen does not roll: it has none of these forces.
     if (made.name != specimen_mesh) {
+        raise_probes(made, tread_thickness_mm);
         add_extra_sensors(made, tread_thickness_mm);
     }
     return made;

@@ -42,7 +42,7 @@ struct MeshTemplate {
 /// Names of the meshes, the standard one first.
 [[nodiscard]] std::span<const std::string_view> mesh_template_names();
 
-/// @param name one of them  @param tread_thickness_mm mm, through the crown: where the inner liner's probes lie
+/// @param name one of them  @param tread_thickness_mm mm, through the crown: how deep probes lie
 [[nodiscard]] MeshTemplate mesh_template(std::string_view name, double tread_thickness_mm);
 
 }  // namespace tiretherm::input

@@ -46,8 +46,8 @@ struct Constant {
 Constant constant(const CaseDraft& draft, const NeededInput& input) {
     constexpr double load_share = 0.8;   // of what the tire may carry: ISO 28580 measures rolling resistance so
     constexpr double speed_share = 0.8;  // of a slow tire's symbol
-    constexpr double usual_speed = 100.0 / 3.6;
     const TireSize& size = draft.request.size;
+    const double usual_speed = (size.truck ? 80.0 : 100.0) / 3.6;
     const std::optional<double> load = size.service ? size.service->load() : std::nullopt;
     if (const LogColumn* air = draft.column("air_temperature"); input.name == "road_temperature" && air != nullptr) {
         return {shown_celsius(mean(air->value)), "the mean of the log's air_temperature; a road in the sun is hotter"};
@@ -59,7 +59,11 @@ Constant constant(const CaseDraft& draft, const NeededInput& input) {
                             draft.inflation_pressure * 1e-3)};
     }
     constexpr double of_thesis = 4000.0;  // N, of its first warm-up
-    if (const double ratio = physics::load_ratio(draft.outline());
+    physics::TireOutline outline = draft.outline();
+    if (size.motorcycle) {  // its pressure is higher for its load: as a passenger tire at as large a share of its pressure
+        outline.inflation_pressure *= physics::TireOutline{}.inflation_pressure / size.load_pressure();
+    }
+    if (const double ratio = physics::load_ratio(outline);
         input.name == "vertical_load" && std::abs(ratio - 1.0) > 1e-9) {
         return {fmt::format("{:.0f} N", 10.0 * std::round(0.1 * of_thesis * ratio)),
                 fmt::format("the size has no load index; that of the thesis's first warm-up in proportion to the size "
@@ -71,6 +75,10 @@ Constant constant(const CaseDraft& draft, const NeededInput& input) {
     if (input.name == "speed" && speed_share * fastest < usual_speed) {
         return {fmt::format("{:.0f} km/h", 3.6 * speed_share * fastest),
                 fmt::format("80 % of what the speed symbol {} allows", size.service->speed_symbol)};
+    }
+    if (input.name == "speed" && size.truck) {
+        return {fmt::format("{:.0f} km/h", 3.6 * usual_speed),
+                "that of a truck, at which ISO 28580 measures its tires"};
     }
     return {draft.mesh.setting("drive", input.name), std::string(input.ground)};
 }
@@ -84,6 +92,10 @@ void suggest_inputs(CaseDraft& draft) {
     }
     if (draft.mesh.name == "section" && draft.column("camber") == nullptr) {
         writer.suggestion("camber", "-2 deg");
+    }
+    if (draft.request.size.motorcycle && !draft.request.size.is_motorcycle_front()) {
+        writer.suggestion("longitudinal_force", "200 N");
+        writer.suggestion("slip_ratio", "0.005");
     }
 }
 

@@ -115,7 +115,7 @@ std::variant<DrumTest, ErrorText> drum_test(std::string_view name, const TireSiz
         return ErrorText{fmt::format("the test {} needs the load index of the tire, and {} has none", name, size.text),
                          "write it behind the size: \"225/50 R17 94H\""};
     }
-    if (size.light_truck) {
+    if (size.light_truck || size.motorcycle) {
         return ErrorText{fmt::format("the test {} is one of passenger tires, and {} is another", name, size.text),
                          "give a passenger tire's size"};
     }

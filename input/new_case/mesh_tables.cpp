@@ -16,7 +16,7 @@ namespace tiretherm::input {
 
 namespace {
 
-/// Makes a layer of the library's case thicker by `more`, with cells of the same size.
+/// Makes a layer of the library's case thicker by `more`, or thinner, with cells of the same size.
 void thicken(CasePart& layer, double more_mm) {
     double thickness = 0.0;
     int cells = 0;
@@ -25,8 +25,9 @@ void thicken(CasePart& layer, double more_mm) {
     const auto read = std::from_chars(written.data(), written.data() + written.size(), thickness);
     std::from_chars(count.data(), count.data() + count.size(), cells);
     const double thicker = thickness + more_mm;
-    layer.replace("thickness", fmt::format("{:g}{}", thicker, read.ptr),
-                  fmt::format("assumed: {:g} mm more than a passenger tire's", more_mm));
+    layer.replace(
+        "thickness", fmt::format("{:g}{}", thicker, read.ptr),
+        fmt::format("assumed: {:g} mm {} than a passenger tire's", std::abs(more_mm), more_mm > 0.0 ? "more" : "less"));
     layer.replace("cells", fmt::format("{}", std::lround(cells * thicker / thickness)), "through the thickness");
 }
 
@@ -49,7 +50,8 @@ constexpr std::array adjusted{Adjusted{"strain_energy_loss", {"lambda_srf", "lam
                               Adjusted{"camber_asymmetry", {"c"}}};
 
 /// @param named the effect as the library's case has it, or null
-void write_effect(CaseWriter& writer, std::string_view id, const CasePart* named, bool on_drum) {
+void write_effect(CaseWriter& writer, std::string_view id, const CasePart* named, const NewCaseRequest& request) {
+    const bool on_drum = request.test.has_value();
     const physics::Effect* effect = physics::find_effect(id);
     const auto found = std::ranges::find(adjusted, id, &Adjusted::effect);
     if (effect == nullptr) {
@@ -62,7 +64,13 @@ void write_effect(CaseWriter& writer, std::string_view id, const CasePart* named
     for (const physics::ParameterSpec& parameter : effect->parameters) {
         const bool is_adjusted =
             found != adjusted.end() && std::ranges::find(found->keys, parameter.key) != found->keys.end();
-        if (is_adjusted && !has("on") && !has(parameter.key)) {
+        if (!is_adjusted || has("on") || has(parameter.key)) {
+            continue;
+        }
+        if (parameter.key == "disk_scale" && request.size.is_motorcycle_front()) {
+            writer.entry(parameter.key, "2",
+                         "assumed: a motorcycle's front wheel stands in the travel wind; 1 behind the engine");
+        } else {
             writer.entry(parameter.key, parameter.standard);
         }
     }
@@ -103,7 +111,7 @@ void write_mesh(CaseDraft& draft) {
         const double more = name == "tread"      ? draft.tread_thickness - thesis.tread_thickness
                             : name == "sidewall" ? draft.sidewall_thickness - thesis.sidewall_thickness
                                                  : 0.0;
-        if (part.table == "mesh.layer" && more > 1e-9) {
+        if (part.table == "mesh.layer" && std::abs(more) > 1e-9) {
             thicken(part, std::round(more * 1e6) * 1e-3);
         }
         if (by_literature && part.table == "material") {
@@ -132,14 +140,14 @@ void write_effects(CaseDraft& draft) {
         const bool is_named = named != draft.mesh.effects.end();
         const bool of_drum = on_drum && effect.effect == "inflation_pressure_rise";  // write_drum_effects has them
         if (known != nullptr && (known->on || is_named) && !of_drum) {
-            write_effect(writer, effect.effect, is_named ? &*named : nullptr, on_drum);
+            write_effect(writer, effect.effect, is_named ? &*named : nullptr, draft.request);
         }
     }
     for (const CasePart& part : draft.mesh.effects) {
         const std::string id = part.table.substr(prefix);
         if (std::ranges::find(adjusted, id, &Adjusted::effect) == adjusted.end() &&
             !(on_drum && id == "drum_curvature")) {
-            write_effect(writer, id, &part, on_drum);
+            write_effect(writer, id, &part, draft.request);
         }
     }
 }

@@ -53,8 +53,9 @@ void write_laws(CaseWriter& writer, const physics::Tire& tire, const Reasons& wh
 }
 
 std::string more_than_thesis(double metres) {
-    return metres < 1e-9 ? ", as the thesis's tire"
-                         : fmt::format("; assumed: {:.0f} mm more than a passenger tire's", metres * 1e3);
+    return std::abs(metres) < 1e-9 ? ", as the thesis's tire"
+                                   : fmt::format("; assumed: {:.0f} mm {} than a passenger tire's",
+                                                 std::abs(metres) * 1e3, metres > 0.0 ? "more" : "less");
 }
 
 }  // namespace

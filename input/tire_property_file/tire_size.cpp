@@ -46,10 +46,10 @@ constexpr std::array patterns{
     Pattern{Form::inches_width, R"((\d{1,2}(?:\.\d{1,2})?)\s*(?:R|B|D|-)\s*(\d{1,2}(?:\.5)?))"},
     Pattern{Form::metric_width, R"((\d{3})\s*(?:[ZVHS]R|R|-)\s*(\d{2}))"}};
 
-/// Before: P, LT, ST, T; H, B of aircraft. Behind: C or LT, then load index (or a pair of it) and speed symbol, then anything.
+/// Before: P, LT, ST, T; H, B of aircraft. Behind: C, LT or M/C, then load index (or a pair of it) and speed symbol, then anything.
 std::regex whole(const Pattern& pattern) {
     constexpr std::string_view before = R"(\s*(P|LT|ST|T|H|B)?\s*)";
-    constexpr std::string_view behind = R"(\s*(C|LT)?(?:\s+\(?(?:(\d{2,3})(?:/\d{2,3})?\s*\(?([A-Y])?\b)?.*)?)";
+    constexpr std::string_view behind = R"(\s*(C|LT|M/C)?(?:\s+\(?(?:(\d{2,3})(?:/\d{2,3})?\s*\(?([A-Y])?\b)?.*)?)";
     return std::regex(fmt::format("{}{}{}", before, pattern.text, behind), std::regex::icase);
 }
 
@@ -75,6 +75,7 @@ void take_numbers(Form form, const std::vector<std::string>& numbers, TireSize& 
             size.width = number(0) * 1e-3;
             size.section_height = size.width * number(1) * 1e-2;
             size.truck = rim != std::floor(rim);
+            size.motorcycle = !size.truck && number(0) <= 240.0 && std::fmod(number(0), 10.0) == 0.0 && rim <= 21.0;
             break;
         case Form::metric_outer:
             size.width = number(0) * 1e-3;
@@ -113,7 +114,11 @@ void take_numbers(Form form, const std::vector<std::string>& numbers, TireSize& 
 double TireSize::load_pressure() const {
     constexpr double of_light_truck = 450e3;
     constexpr double of_truck = 800e3;
-    return truck ? of_truck : light_truck ? of_light_truck : physics::standard_load_pressure;
+    constexpr double of_motorcycle_rear = 290e3;
+    return truck                                  ? of_truck
+           : light_truck                          ? of_light_truck
+           : motorcycle && !is_motorcycle_front() ? of_motorcycle_rear
+                                                  : physics::standard_load_pressure;
 }
 
 std::variant<TireSize, ErrorText> read_tire_size(std::string_view text) {
@@ -140,7 +145,9 @@ std::variant<TireSize, ErrorText> read_tire_size(std::string_view text) {
         numbers.push_back(parts[i].str());
     }
     take_numbers(form, numbers, size);
-    size.light_truck = size.truck || parts[behind].matched || parts[1].length() == 2;
+    const bool has_motorcycle_mark = parts[behind].length() == 3;
+    size.light_truck = size.truck || (parts[behind].matched && !has_motorcycle_mark) || parts[1].length() == 2;
+    size.motorcycle = has_motorcycle_mark || (size.motorcycle && !size.light_truck && !parts[1].matched);
     if (parts[behind + 1].matched) {
         const char symbol = parts[behind + 2].matched ? *parts[behind + 2].first : ' ';
         size.service = physics::ServiceDescription{

@@ -40,6 +40,22 @@ TEST(TireSize, LightTruckTiresAreMarked) {
     EXPECT_TRUE(read_size("LT265/70 R17").light_truck);
 }
 
+// ETRTO writes the widths of passenger tires with a 5 at the end and those of motorcycle tires with a 0; 120 mm is a front, 250 kPa.
+TEST(TireSize, MotorcycleTiresHaveWidthsInWholeCentimetres) {
+    for (const std::string_view text :
+         {"120/70 ZR17", "190/55 ZR17 (75W)", "130/90-16 67H", "120/70 ZR17 M/C (58W)", "185/55 R17M/C 73W"}) {
+        EXPECT_TRUE(read_size(text).motorcycle) << text;
+        EXPECT_FALSE(read_size(text).light_truck) << text;
+    }
+    EXPECT_EQ(read_size("120/70 ZR17 M/C (58W)").service.value().load_index, 58);
+    EXPECT_EQ(read_size("120/70 ZR17").load_pressure(), 250e3);
+    EXPECT_EQ(read_size("190/55 ZR17").load_pressure(), 290e3);
+    // A car's, a spare wheel, a van's, a tractor's, a truck's.
+    for (const std::string_view text : {"225/50 R17", "T120/70 R14", "200/60 R16C", "320/85 R24", "200/60-14.5"}) {
+        EXPECT_FALSE(read_size(text).motorcycle) << text;
+    }
+}
+
 TEST(TireSize, ServiceDescriptionMayStandBehind) {
     EXPECT_FALSE(read_size("225/50 R17").service);
     ASSERT_TRUE(read_size("225/50 R17 94H").service);
