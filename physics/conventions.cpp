@@ -38,14 +38,18 @@ constexpr std::array table{
         "Positive: the tread runs faster backwards than the road under it, as in a wheel that spins. Heat of sliding "
         "takes the magnitude; the Magic Formula's slip ratio is this speed over |V|, at standstill a large one."},
     Convention{&Inputs::lateral_force,
-               "Drawn positive to the left (y). Heat takes the magnitude: either sign gives the same."},
+               "Drawn positive to the left (y): towards the middle of the vehicle, as at the outer tires of a bend. "
+               "Heat takes "
+               "the magnitude: either sign gives the same total. Across the tread the sign counts: positive loads the "
+               "outside shoulder (pressure_across_tread)."},
     Convention{
         &Inputs::longitudinal_force,
         "Positive: forwards (x), driving. Negative: braking. Heat takes the magnitude: either sign gives the same."},
     Convention{
         &Inputs::camber,
         "Of the vehicle, alike on both sides of it: negative with the top leaning inboard, which heats the inside "
-        "(inboard) shoulder; positive with the top leaning outboard, which heats the outside one (camber_asymmetry). "
+        "(inboard) shoulder; positive with the top leaning outboard, which heats the outside one (camber_asymmetry, "
+        "pressure_across_tread). "
         "The Magic Formula takes it as it is: on the right-hand side of the vehicle that is the inclination of ISO "
         "8855, positive with the top leaning to the right."},
     Convention{&Inputs::inflation_pressure, "Above the atmosphere: 0 is a flat tire."},

@@ -156,6 +156,7 @@ struct ActiveEffect {
     double effusivity_of_road = 0.0;  ///< filled by `place`
     double share_of_drum = 0.0;       ///< filled by `place`, of a contact: of what the road takes, by `coupling_faces`
     std::vector<double> skew;         ///< filled by `place`: how far to the outside shoulder, -1 inside to 1 outside
+    std::vector<double> crown;  ///< filled by `place`, of a contact: how far a place gains from pressure in the middle
 
     /// What it is called: its own name, or its effect's.
     [[nodiscard]] std::string_view title() const { return name.empty() ? effect->id : std::string_view(name); }

@@ -45,6 +45,9 @@ struct Laws {
     double loss_skew = 0.0;   ///< share of the loss that moves from the inside shoulder to the outside one
     double partition = 1.0;   ///< factor on the share of the friction power that enters the tire
     double forced = 1.0;      ///< factor on the forced part of the air convection
+    // Of the contact pressure over its mean, 1 + skew y + crown (1 - 3 y^2)/2 across the tread, y from -1 inside to 1 outside:
+    double contact_skew = 0.0;
+    double contact_crown = 0.0;
 };
 
 /// The inputs of a moment, after the input corrections, and the laws that hold.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "physics/contact/across_tread.hpp"
 #include "physics/contact/contact_in_revolutions.hpp"
 #include "physics/contact/heat_of_sliding.hpp"
 #include "physics/contact/rolling_contact.hpp"
@@ -149,6 +150,14 @@ double flash(const SensorMoment& now) {
     return T + scale * (T - inputs.road_temperature) * (entry ? contact->at_entry() : contact->at_exit()) + heated;
 }
 
+double contact_pressure(const SensorMoment& now) {
+    const std::string_view zone = now.quantity == Quantity::contact_pressure_outside  ? "outside_shoulder"
+                                  : now.quantity == Quantity::contact_pressure_inside ? "inside_shoulder"
+                                                                                      : "crown";
+    return physics::relative_contact_pressure(now.problem.mesh, now.system.effects(), now.system.laws(now.inputs),
+                                              zone);
+}
+
 double gas_pressure(const SensorMoment& now) {
     return (now.inputs.inflation_pressure + atmosphere) * now.followed / now.gas_start - atmosphere;
 }
@@ -265,6 +274,30 @@ constexpr std::array table{
                         .region = "gas",
                         .needs_tire = false,
                         .evaluate = gas_pressure},
+    QuantityDescription{.quantity = Quantity::contact_pressure_outside,
+                        .kind = "contact_pressure_outside",
+                        .meaning = "contact pressure of the outside shoulder over the tread's mean",
+                        .unit = "1",
+                        .shown = {.name = "-"},
+                        .signals = load,
+                        .needs_effect = "pressure_across_tread",
+                        .evaluate = contact_pressure},
+    QuantityDescription{.quantity = Quantity::contact_pressure_middle,
+                        .kind = "contact_pressure_middle",
+                        .meaning = "contact pressure of the crown over the tread's mean",
+                        .unit = "1",
+                        .shown = {.name = "-"},
+                        .signals = load,
+                        .needs_effect = "pressure_across_tread",
+                        .evaluate = contact_pressure},
+    QuantityDescription{.quantity = Quantity::contact_pressure_inside,
+                        .kind = "contact_pressure_inside",
+                        .meaning = "contact pressure of the inside shoulder over the tread's mean",
+                        .unit = "1",
+                        .shown = {.name = "-"},
+                        .signals = load,
+                        .needs_effect = "pressure_across_tread",
+                        .evaluate = contact_pressure},
     QuantityDescription{.quantity = Quantity::heat_flux,
                         .kind = "heat_flux",
                         .meaning = "heat flux out of the rubber",

@@ -19,19 +19,22 @@ struct Problem;
 /// What a channel reads. Temperatures are functionals of the nodes; the others follow from the tire's laws, the inputs
 /// and, where it says so, the temperature of `where`.
 enum class Quantity : std::uint8_t {
-    temperature,              ///< K
-    drag_force,               ///< N, rolling resistance of all that is lost by deformation (51)
-    rolling_moment,           ///< N m (50)
-    loaded_radius,            ///< m (37)
-    cornering_stiffness,      ///< N/rad, at the temperature of `where` (52)
-    bulk_temperature_factor,  ///< lambda_Tb of the Magic Formula at the temperature of `where` (60)
-    lateral_force,            ///< N, Magic Formula with the cornering stiffness at the temperature of `where` (59)
-    reference_lateral_force,  ///< N, Magic Formula that knows no temperature (10)
-    longitudinal_force,       ///< N, Magic Formula in pure longitudinal slip (8)
-    surface_at_entry,         ///< K, where the tread meets the road, in each revolution of which `where` is the mean
-    surface_at_exit,          ///< K, where it leaves the road
-    gas_pressure,             ///< Pa above the atmosphere, heated at constant volume to the temperature of `where`
-    heat_flux                 ///< W/m2 out of the rubber: flow into the surface nodes of `where`, weighted by 1/area
+    temperature,               ///< K
+    drag_force,                ///< N, rolling resistance of all that is lost by deformation (51)
+    rolling_moment,            ///< N m (50)
+    loaded_radius,             ///< m (37)
+    cornering_stiffness,       ///< N/rad, at the temperature of `where` (52)
+    bulk_temperature_factor,   ///< lambda_Tb of the Magic Formula at the temperature of `where` (60)
+    lateral_force,             ///< N, Magic Formula with the cornering stiffness at the temperature of `where` (59)
+    reference_lateral_force,   ///< N, Magic Formula that knows no temperature (10)
+    longitudinal_force,        ///< N, Magic Formula in pure longitudinal slip (8)
+    surface_at_entry,          ///< K, where the tread meets the road, in each revolution of which `where` is the mean
+    surface_at_exit,           ///< K, where it leaves the road
+    gas_pressure,              ///< Pa above the atmosphere, heated at constant volume to the temperature of `where`
+    contact_pressure_outside,  ///< 1, over the mean of the tread, of the outside shoulder
+    contact_pressure_middle,   ///< the same of the crown
+    contact_pressure_inside,   ///< the same of the inside shoulder
+    heat_flux                  ///< W/m2 out of the rubber: flow into the surface nodes of `where`, weighted by 1/area
 };
 
 /// What a quantity may be followed from along a step.

@@ -110,12 +110,7 @@ physics::Inputs System::transformed(physics::Inputs inputs) const {
     return inputs;
 }
 
-void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out) const {
-    evaluate_coefficients(logged, out, std::nullopt);
-}
-
-void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out, LeftOut left_out) const {
-    const physics::Inputs inputs = transformed(logged);
+physics::Laws System::laws(const physics::Inputs& inputs, std::optional<std::size_t> left_out) const {
     physics::Laws laws;
     for (std::size_t e = 0; e < effects_.size(); ++e) {
         const physics::ActiveEffect& active = effects_[e];
@@ -124,6 +119,16 @@ void System::evaluate_coefficients(const physics::Inputs& logged, std::span<doub
             modifier->modify_laws(active, material_model_.tire, inputs, laws);
         }
     }
+    return laws;
+}
+
+void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out) const {
+    evaluate_coefficients(logged, out, std::nullopt);
+}
+
+void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out, LeftOut left_out) const {
+    const physics::Inputs inputs = transformed(logged);
+    const physics::Laws laws = this->laws(inputs, left_out);
     const physics::OperatingPoint point{
         .tire = material_model_.tire, .inputs = inputs, .laws = laws, .effects = effects_};
     for (std::size_t e = 0; e < effects_.size(); ++e) {

@@ -42,6 +42,9 @@ public:
     [[nodiscard]] physics::Inputs transformed(physics::Inputs inputs) const;
     /// Coefficients of all effects, one after the other, for the logged inputs of a moment. @param out [n_coefficients]
     void evaluate_coefficients(const physics::Inputs& logged, std::span<double> out) const;
+    /// What the effects make of the laws at a moment. @param inputs after the input corrections  @param left_out an effect
+    /// whose law is left out
+    [[nodiscard]] physics::Laws laws(const physics::Inputs& inputs, std::optional<std::size_t> left_out = {}) const;
 
     /// Lets every effect add its terms at T [n_nodes] K with these coefficients.
     void evaluate(std::span<const double> T, std::span<const double> coefficients);

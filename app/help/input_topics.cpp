@@ -111,7 +111,7 @@ std::string sensors_topic() {
             sensor == tables.end() ? std::vector<std::string>{} : place_keys(*sensor, kind.name);
         const std::string line =
             fmt::format("{}{}{}", kind.meaning, keys.empty() ? "" : "; keys: ", fmt::join(keys, ", "));
-        (kind.is_place ? of_places : others) += entry_text(std::string(kind.name), line, kind.is_place ? 12 : 27);
+        (kind.is_place ? of_places : others) += entry_text(std::string(kind.name), line, kind.is_place ? 12 : 28);
     }
     return text + of_places + others +
            paragraphs_text(

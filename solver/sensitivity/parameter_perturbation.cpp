@@ -25,7 +25,7 @@ bool same_places(const physics::ActiveEffect& a, const physics::ActiveEffect& b)
         return x.scope == y.scope && x.index == y.index && x.parameter == y.parameter && x.value == y.value;
     };
     return a.parameters == b.parameters && std::ranges::equal(a.overrides, b.overrides, same) && a.nodes == b.nodes &&
-           a.weights == b.weights && a.groups == b.groups && a.skew == b.skew;
+           a.weights == b.weights && a.groups == b.groups && a.skew == b.skew && a.crown == b.crown;
 }
 
 bool same_conductivity(const physics::MaterialModel& a, const physics::MaterialModel& b) {

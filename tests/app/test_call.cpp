@@ -203,10 +203,13 @@ TEST(Inputs, AllAreListedWithUnitSignAndReaders) {
 
 TEST(Inputs, OneNamesTheEffectsAndSensorsThatReadIt) {
     const Json camber = Json::parse(call("inputs camber --json").out);
-    EXPECT_EQ(camber["used_by"], Json::array({"input_delay", "camber_asymmetry"}));
-    EXPECT_EQ(camber["sensors"], Json::array({"cornering_stiffness", "bulk_temperature_factor", "lateral_force",
-                                              "reference_lateral_force", "longitudinal_force"}));
-    EXPECT_NE(call("inputs camber").out.find("Used where given by the effects: input_delay, camber_asymmetry\n"),
+    EXPECT_EQ(camber["used_by"], Json::array({"input_delay", "camber_asymmetry", "pressure_across_tread"}));
+    EXPECT_EQ(camber["sensors"],
+              Json::array({"cornering_stiffness", "bulk_temperature_factor", "lateral_force", "reference_lateral_force",
+                           "longitudinal_force", "contact_pressure_outside", "contact_pressure_middle",
+                           "contact_pressure_inside"}));
+    EXPECT_NE(call("inputs camber")
+                  .out.find("Used where given by the effects: input_delay, camber_asymmetry, pressure_across_tread\n"),
               std::string::npos);
     const Call wrong = call("inputs cambr");
     EXPECT_EQ(wrong.exit_code, 1);

@@ -2,6 +2,7 @@
 // `tiretherm run` of a car: all tires in one call, laps, friction power; and of one of its tires.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -121,6 +122,86 @@ TEST(RunOfACar, WhatIfHasARowForEachTire) {
     EXPECT_EQ(changes[1]["corner"], "FR");
     EXPECT_GT(changes[1]["channels"][0]["end"], 0.0);
     EXPECT_LT(changes[1]["channels"][0]["end"], 5.0);
+}
+
+/// The case that `new` writes of the log of a car: straight on for 20 s at 100 km/h, then 100 s in a bend of 7 m/s2 to one side,
+/// with three readings across each tread, and the contact pressure across it.
+std::string bend_case(input::Written& written, double to_left, const std::string& pressure) {
+    std::string log = "time [s],speed [km/h],LatAcc [g],YawRate [deg/s],Ambient Temp [degC]";
+    std::string readings;
+    for (const char* tire : {"FL", "FR", "RL", "RR"}) {
+        for (const char* place : {"Inner", "Middle", "Outer"}) {
+            log += fmt::format(",Tire Temp {} {} [degC]", tire, place);
+            readings += ",30";
+        }
+    }
+    log += '\n';
+    for (int t = 0; t <= 120; ++t) {
+        const double across = t < 20 ? 0.0 : to_left * 7.0;
+        log += fmt::format("{},100,{:.4f},{:.4f},23{}\n", t, across / 9.80665,
+                           across / (100.0 / 3.6) * 180.0 / std::numbers::pi, readings);
+    }
+    written.add("bend.csv", log);
+    const Call made = call("new bend.csv --out bend.toml --force", written.folder());
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    std::string text = post::read_text(written.folder() / "bend.toml");
+    text.insert(text.find('\n', text.find("\n[drive]") + 1) + 1, "inflation_pressure = \"" + pressure + "\"\n");
+    return written.add("bend.toml", text + "\n[effects.pressure_across_tread]\n").string();
+}
+
+/// Outside, in the middle and inside of a tire at the end. degC
+std::array<double, 3> across_tread(const Json& corner) {
+    std::array<double, 3> temperatures{};
+    for (const Json& channel : corner["channels"]) {
+        const std::string name = channel["name"];
+        temperatures[0] =
+            name == "outside_shoulder_surface_temperature" ? channel["final"].get<double>() : temperatures[0];
+        temperatures[1] = name == "crown_surface_temperature" ? channel["final"].get<double>() : temperatures[1];
+        temperatures[2] =
+            name == "inside_shoulder_surface_temperature" ? channel["final"].get<double>() : temperatures[2];
+    }
+    return temperatures;
+}
+
+// A car of 1350 kg in a bend of 7 m/s2: the road pulls all tires towards its centre, the outer ones towards the middle of the
+// car and the inner ones away from it. So the outer two are hottest outside, then in the middle, then inside, by kelvins; the
+// inner two are hotter inside than outside. In a bend to the right the sides change places.
+TEST(RunOfACar, TheOutsideShoulderOfAnOuterTireIsTheHottestInABend) {
+    for (const double to_left : {1.0, -1.0}) {
+        input::Written written;
+        const std::string file = bend_case(written, to_left, "220 kPa");
+        const Call run = call("run " + file + " --no-vtk --no-report --json --out out", written.folder());
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        const Json corners = Json::parse(run.out)["corners"];
+        ASSERT_EQ(corners.size(), 4U);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto [outside, middle, inside] = across_tread(corners[i]);
+            const bool is_outer = (i % 2 == 1) == (to_left > 0.0);
+            SCOPED_TRACE(fmt::format("{} of {}: {} {} {}", i, to_left, outside, middle, inside));
+            if (is_outer) {
+                EXPECT_GT(outside, middle + 2.0);
+                EXPECT_GT(middle, inside + 1.0);
+            } else {
+                EXPECT_GT(inside, outside + 2.0);
+            }
+        }
+    }
+}
+
+// A quarter of a bar less lets a tire sink further in and press with its shoulders: the middle of the outer front tire loses more
+// than either of them.
+TEST(RunOfACar, AQuarterOfABarLessCoolsTheMiddleMoreThanTheShoulders) {
+    std::array<std::array<double, 3>, 2> at{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        input::Written written;
+        const std::string file = bend_case(written, 1.0, i == 0 ? "220 kPa" : "195 kPa");
+        const Call run = call("run " + file + " --no-vtk --no-report --json --out out", written.folder());
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        at[i] = across_tread(Json::parse(run.out)["corners"][1]);
+    }
+    const auto change = [&](std::size_t place) { return at[1][place] - at[0][place]; };
+    EXPECT_LT(change(1), change(0) - 0.5);
+    EXPECT_LT(change(1), change(2) - 0.5);
 }
 
 }  // namespace

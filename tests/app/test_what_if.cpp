@@ -57,7 +57,8 @@ TEST(WhatIf, SaysWhatEachChangeDoesAndWhichDoNothing) {
     EXPECT_NE(std::ranges::find(remarks, "drive.road_temperature is not given by the case: nothing follows it."),
               remarks.end());
     EXPECT_NE(std::ranges::find(remarks,
-                                "drive.camber moves nothing: no effect that is on reads it; camber_asymmetry would."),
+                                "drive.camber moves nothing: no effect that is on reads it; camber_asymmetry and "
+                                "pressure_across_tread would."),
               remarks.end())
         << what_if["remarks"];
     EXPECT_NE(cold.run("--what-if").out.find("What if\n"), std::string::npos);

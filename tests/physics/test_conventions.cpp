@@ -79,6 +79,23 @@ TEST(Conventions, PositiveCamberHeatsTheOutsideShoulder) {
     EXPECT_NEAR(loss(2, 0.05), loss(8, -0.05), 1e-9 * loss(2, 0.0));
 }
 
+// "Positive loads the outside shoulder": the road pulls an outer tire of a bend towards the middle of the car, and heat of sliding
+// moves outboard, as under positive camber. By two signs the same in a mirror.
+TEST(Conventions, PositiveLateralForceAndCamberSlideOnTheOutsideShoulder) {
+    const Bench bench = section();
+    Whole whole(bench, {{"sliding_friction"}, {"pressure_across_tread"}});
+    const auto heat = [&](std::size_t column, double force, double camber) {
+        Inputs inputs = rolling();
+        inputs.lateral_force = force;
+        inputs.camber = camber;
+        whole.ask(inputs);
+        return whole.flow(bench.mesh.columns[column].outer);
+    };
+    EXPECT_GT(heat(2, 2000.0, 0.0), 1.2 * heat(8, 2000.0, 0.0));
+    EXPECT_GT(heat(2, 2.0, 0.05), 1.2 * heat(8, 2.0, 0.05));
+    EXPECT_NEAR(heat(2, 2000.0, 0.02), heat(8, -2000.0, -0.02), 1e-9 * heat(2, 2000.0, 0.02));
+}
+
 // The lateral force has the sign of pKy1 times the slip angle, turned when rolling backwards; the longitudinal force that of
 // the slip ratio. Without shifts.
 TEST(Conventions, MagicFormulaHasTheSignOfItsStiffness) {

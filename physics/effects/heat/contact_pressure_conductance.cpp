@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/contact/across_tread.hpp"
 #include "physics/contact/heated_road.hpp"
 #include "physics/spread.hpp"
 
@@ -31,6 +32,7 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     if (road == nullptr) {
         active.nodes.clear();
         active.weights.clear();
+        active.skew.clear();
         active.share_of_drum = 0.0;
         return;
     }
@@ -39,11 +41,10 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     };
     active.patches = road->patches;
     active.field = road->field;
-    spread_over_patches(context, active, road->tables[static_cast<std::size_t>(find_table(*road->effect, "profile"))]);
+    place_contact(context, active, road->tables[static_cast<std::size_t>(find_table(*road->effect, "profile"))]);
     for (double& weight : active.weights) {
         weight *= number("lambda_Hc") * number("Hc");
     }
-    place_heated_road(context, active);
 }
 
 // (35) with A = 0 makes the mean pressure 1/B whatever the load; here it is taken to follow the load, p/p0 = Fz/Fz0.
@@ -52,16 +53,19 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
     const double area = point.tire.contact_area(point.inputs);
     out[0] = area > 0.0 ? area * (std::pow(Fz / active[reference], active[exponent]) - 1.0) : 0.0;
     out[1] = out[0] * point.inputs.road_temperature;
+    note_across_tread(point.laws, 1.0, out);
 }
 
 /// A correction takes as well as gives: heat, not a conductance, which could not be negative.
 void add_terms(const EvaluationState& m, Terms& terms) {
+    const AcrossTread across(m, 1.0);
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         const int node = m.active.nodes[i];
-        const double G = m.active.weights[i] * m.coefficients[0];
+        const double weight = across.weight(i);
+        const double G = weight * m.coefficients[0];
         const double T = m.temperature[static_cast<std::size_t>(node)];
         const double share = m.active.share_of_drum;
-        terms.heat(node, (1.0 - share) * (m.active.weights[i] * m.coefficients[1] - G * T), (share - 1.0) * G);
+        terms.heat(node, (1.0 - share) * (weight * m.coefficients[1] - G * T), (share - 1.0) * G);
         if (share > 0.0) {
             const double drop = m.temperature[static_cast<std::size_t>(drum_of(m))] - T;
             take_from_drum(m, i, share * G * drop, -share * G, share * G, terms);
@@ -90,7 +94,7 @@ const Effect contact_pressure_conductance{
     .patches = patches,
     .model =
         HeatEffect{
-            .n_coefficients = 2,
+            .n_coefficients = 2 + across_coefficients,
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,
             .add_terms = add_terms,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/contact/across_tread.hpp"
 #include "physics/contact/contact_in_revolutions.hpp"
 #include "physics/contact/heated_road.hpp"
 #include "physics/contact/rolling_contact.hpp"
@@ -28,9 +29,8 @@ constexpr std::array<std::string_view, 1> patches{"outside"};
 constexpr std::size_t with_road = most_effusivities;
 
 void place(const PlacementContext& context, ActiveEffect& active) {
-    spread_over_patches(context, active, active.tables[profile]);
+    place_contact(context, active, active.tables[profile]);
     place_effusivities(context, rolling_contact::effusivity_of_road(active), active);
-    place_heated_road(context, active);
 }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
@@ -42,6 +42,7 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
         out[i] = contact ? active[scale] * contact->mean_conductance() * point.tire.contact_area(in) : 0.0;
     }
     out[with_road] = out[0] * in.road_temperature;
+    note_across_tread(point.laws, out[0], out);
 }
 
 void add_terms(const EvaluationState& m, Terms& terms) {
@@ -52,9 +53,10 @@ void add_terms(const EvaluationState& m, Terms& terms) {
     }
     // Along a logged series both are averages: this is the road that the conductance saw.
     const double T_road = m.coefficients[with_road] / G[0];
+    const AcrossTread across(m, G[0], FollowsPressure::by_root);
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         const EffusivityInterpolation tread(m, m.active.nodes[i]);
-        const double weight = m.active.weights[i];
+        const double weight = across.weight(i);
         exchange_with_road(m, i, tread.value(G) * weight, T_road, tread.slope(G) * weight, terms);
     }
 }
@@ -111,7 +113,7 @@ const Effect resolved_contact{
     .patches = patches,
     .model =
         HeatEffect{
-            .n_coefficients = with_road + 1,
+            .n_coefficients = with_road + 1 + across_coefficients,
             .field = FieldOf::pressure,
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "physics/contact/across_tread.hpp"
 #include "physics/contact/heated_road.hpp"
 #include "physics/spread.hpp"
 
@@ -37,19 +38,20 @@ constexpr std::array<std::string_view, 1> may_read{"inflation_pressure"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 void place(const PlacementContext& context, ActiveEffect& active) {
-    spread_over_patches(context, active, active.tables[profile]);
-    place_heated_road(context, active);
+    place_contact(context, active, active.tables[profile]);
 }
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     out[0] = active[lambda_Hc] * active[Hc] * point.tire.contact_area(point.inputs);
     out[1] = out[0] * point.inputs.road_temperature;
+    note_across_tread(point.laws, out[0], out);
 }
 
 void add_terms(const EvaluationState& m, Terms& terms) {
     if (const double G = m.coefficients[0]; G > 0.0) {
+        const AcrossTread across(m, G);
         for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
-            exchange_with_road(m, i, G * m.active.weights[i], m.coefficients[1] / G, 0.0, terms);
+            exchange_with_road(m, i, G * across.weight(i), m.coefficients[1] / G, 0.0, terms);
         }
     }
 }
@@ -78,7 +80,7 @@ const Effect road_contact{
     .patches = patches,
     .model =
         HeatEffect{
-            .n_coefficients = 2,
+            .n_coefficients = 2 + across_coefficients,
             .field = FieldOf::pressure,
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,

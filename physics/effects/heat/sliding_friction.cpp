@@ -10,6 +10,7 @@
 #include <functional>
 #include <numeric>
 
+#include "physics/contact/across_tread.hpp"
 #include "physics/contact/contact_in_revolutions.hpp"
 #include "physics/contact/heat_of_sliding.hpp"
 #include "physics/contact/heated_road.hpp"
@@ -28,8 +29,16 @@ enum : std::size_t { longitudinal, lateral, around, shared };
 enum : std::size_t { profile };
 enum : int { by_number, charm };
 /// Coefficients, a block for each effusivity: what the road takes back [W]; all that is made, where a drum takes what the
-/// tread does not [W]; then the heat that stays, of each frame or of each sector.
+/// tread does not [W]; then the heat that stays, of each frame or of each sector. Behind the blocks skew and crown, times what
+/// the first gives.
 enum : std::size_t { taken_back, made, first_heat };
+
+std::size_t block_size(std::size_t coefficients) { return (coefficients - across_coefficients) / most_effusivities; }
+
+/// What stays of the heat in a block. W
+double kept_of(std::span<const double> block) { return std::accumulate(block.begin() + first_heat, block.end(), 0.0); }
+/// The same with what the road has taken back.
+double given_of(std::span<const double> block) { return block[taken_back] + kept_of(block); }
 
 constexpr std::array parameters{
     ParameterSpec{"partition", "1", 0.6, 0.0, 1.0, "share of the friction power that enters the tire, or \"charm\""},
@@ -79,7 +88,7 @@ constexpr std::array<std::string_view, 7> may_read{"vertical_load", "slip_angle"
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
 void place(const PlacementContext& context, ActiveEffect& active) {
-    spread_over_patches(context, active, active.tables[profile]);
+    place_contact(context, active, active.tables[profile]);
     active.groups = active.choices[around] == in_contact ? sectors_of(context.mesh, active.nodes) : std::vector<int>{};
     active.road = active.groups.empty() ? -1 : context.index_of("travelling_contact");
     active.road = active.road < 0 ? context.index_of("resolved_contact") : active.road;
@@ -90,7 +99,6 @@ void place(const PlacementContext& context, ActiveEffect& active) {
     if (active.road < 0 && active.choices[shared] == by_number) {
         active.effusivities.resize(1);  // nothing follows it
     }
-    place_heated_road(context, active);
 }
 
 SlidingHeat enters(const ActiveEffect& active) {
@@ -132,7 +140,7 @@ void share_with_road(const ActiveEffect& active, const OperatingPoint& point, do
 
 void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& point, std::span<double> out) {
     std::ranges::fill(out, 0.0);
-    const std::size_t size = out.size() / most_effusivities;
+    const std::size_t size = block_size(out.size());
     const std::span<double> heat = out.subspan(first_heat, size - first_heat);
     heat[0] = 1.0;
     if (active.field && !active.field->watts.empty()) {
@@ -157,11 +165,12 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
         share_with_road(active, point, active.effusivities[e], block);
         block[made] = all;
     }
+    note_across_tread(point.laws, given_of(out.first(size)), out);
 }
 
 /// One coefficient at all effusivities.
 std::array<double, most_effusivities> at_effusivities(std::span<const double> coefficients, std::size_t index) {
-    const std::size_t size = coefficients.size() / most_effusivities;
+    const std::size_t size = block_size(coefficients.size());
     std::array<double, most_effusivities> values{};
     for (std::size_t e = 0; e < most_effusivities; ++e) {
         values[e] = coefficients[e * size + index];
@@ -171,11 +180,11 @@ std::array<double, most_effusivities> at_effusivities(std::span<const double> co
 
 /// What the road has taken back of the heat in a block, over what stays; nothing where nothing stays.
 std::array<double, most_effusivities> taken_over_kept(std::span<const double> coefficients) {
-    const std::size_t size = coefficients.size() / most_effusivities;
+    const std::size_t size = block_size(coefficients.size());
     std::array<double, most_effusivities> ratio{};
     for (std::size_t e = 0; e < most_effusivities; ++e) {
         const std::span<const double> block = coefficients.subspan(e * size, size);
-        const double kept = std::accumulate(block.begin() + first_heat, block.end(), 0.0);
+        const double kept = kept_of(block);
         ratio[e] = kept > 0.0 ? block[taken_back] / kept : 0.0;
     }
     return ratio;
@@ -191,9 +200,9 @@ void add_terms(const EvaluationState& m, Terms& terms) {
         }
     }
     const double share = m.active.share_of_drum;
+    const double given = given_of(m.coefficients.first(block_size(m.coefficients.size())));
+    const AcrossTread across(m, given > 0.0 ? given : 1.0);
     for (std::size_t k = 0; k < frames; ++k) {
-        const std::vector<double>& weights =
-            m.active.field && !by_sectors ? m.active.field->weights[k] : m.active.weights;
         for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
             const int node = m.active.nodes[i];
             const std::size_t of = by_sectors ? static_cast<std::size_t>(m.active.groups[i]) : k;
@@ -201,9 +210,10 @@ void add_terms(const EvaluationState& m, Terms& terms) {
             if (heat[0] == 0.0) {
                 continue;
             }
+            const double weight = m.active.field && !by_sectors ? m.active.field->weights[k][i] : across.weight(i);
             const EffusivityInterpolation tread(m, node);
-            const double watts = weights[i] * tread.value(heat);
-            const double slope = weights[i] * tread.slope(heat);
+            const double watts = weight * tread.value(heat);
+            const double slope = weight * tread.slope(heat);
             terms.heat(node, (1.0 - share) * watts, (1.0 - share) * slope);
             if (share > 0.0) {
                 take_from_drum(m, i, share * watts, share * slope, 0.0, terms);
@@ -211,7 +221,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
             if (m.active.road >= 0) {  // booked as made here and taken there
                 std::array<double, most_effusivities> taken{};
                 std::ranges::transform(heat, ratio, taken.begin(), std::multiplies<>());
-                terms.rebook(static_cast<std::size_t>(m.active.road), (share - 1.0) * weights[i] * tread.value(taken));
+                terms.rebook(static_cast<std::size_t>(m.active.road), (share - 1.0) * weight * tread.value(taken));
             }
         }
     }
@@ -238,7 +248,7 @@ EnteredHeat heat_of_sliding(const ActiveEffect& sliding, std::span<const double>
     const EffusivityInterpolation tread(sliding.effusivities, sliding.effusivity_of_road,
                                         {.value = effusivity, .slope = 0.0});
     double watts = 0.0;
-    for (std::size_t i = 0; i < coefficients.size() / most_effusivities; ++i) {
+    for (std::size_t i = 0; i < effects::block_size(coefficients.size()); ++i) {
         watts += i == effects::made ? 0.0 : tread.value(effects::at_effusivities(coefficients, i));
     }
     return {.watts = watts, .enters = effects::enters(sliding)};
@@ -285,7 +295,7 @@ const Effect sliding_friction{
     .patches = patches,
     .model =
         HeatEffect{
-            .n_coefficients = 3 * most_effusivities,
+            .n_coefficients = 3 * most_effusivities + across_coefficients,
             .field = FieldOf::friction,
             .frame_coefficients = most_effusivities * (most_frames - 1),
             .place = place,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/contact/across_tread.hpp"
 #include "physics/contact/heated_road.hpp"
 #include "physics/contact/rolling_contact.hpp"
 #include "physics/contact/travelling.hpp"
@@ -40,10 +41,9 @@ constexpr std::array rule{
     GaussPoint{0.830604693233132257, 0.180380786524069304}, GaussPoint{0.966234757101576014, 0.085662246189585173}};
 
 void place(const PlacementContext& context, ActiveEffect& active) {
-    spread_over_patches(context, active, active.tables[profile]);
+    place_contact(context, active, active.tables[profile]);
     active.groups = sectors_of(context.mesh, active.nodes);
     place_effusivities(context, rolling_contact::effusivity_of_road(active), active);
-    place_heated_road(context, active);
 }
 
 /// What follows the time since entry, integrated over the angle of a part of the contact in the root of the time, in which
@@ -64,6 +64,7 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
     const Inputs& in = point.inputs;
     std::ranges::fill(out, 0.0);
     out[road] = in.road_temperature;
+    note_across_tread(point.laws, 1.0, out);
     const TravellingContact contact(point.tire, in);
     if (!contact.touches()) {
         return;
@@ -85,12 +86,13 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
 }
 
 void add_terms(const EvaluationState& m, Terms& terms) {
+    const AcrossTread across(m, 1.0, FollowsPressure::by_root);
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         std::array<double, most_effusivities> G{};
         std::ranges::copy(m.coefficients.subspan(first_of(m.active.groups[i]), most_effusivities), G.begin());
         if (G[0] > 0.0) {
             const EffusivityInterpolation tread(m, m.active.nodes[i]);
-            const double weight = m.active.weights[i];
+            const double weight = across.weight(i);
             exchange_with_road(m, i, tread.value(G) * weight, m.coefficients[road], tread.slope(G) * weight, terms);
         }
     }
@@ -139,7 +141,7 @@ const Effect travelling_contact{
     .model =
         HeatEffect{
             .travels = true,
-            .n_coefficients = 1 + most_effusivities,
+            .n_coefficients = 1 + most_effusivities + across_coefficients,
             .frame_coefficients = most_effusivities * (most_sectors - 1),
             .place = place,
             .evaluate_coefficients = evaluate_coefficients,

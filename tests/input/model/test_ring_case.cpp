@@ -67,7 +67,8 @@ TEST(RingCase, TurnsTheWheelWhereAnEffectFollowsTheContact) {
     ASSERT_TRUE(problem.input_signals.gives(angle));
     const physics::Inputs end = problem.input_signals.at(2.0, solver::JumpSide::before);
     EXPECT_NEAR(end.wheel_angle, 2.0 * end.speed / problem.tire.rolling_radius(end.vertical_load), 1e-9);
-    EXPECT_EQ(ring_effect(problem, "travelling_contact").effect->n_coefficients(), 4) << "of one column";
+    EXPECT_EQ(ring_effect(problem, "travelling_contact").effect->n_coefficients(), 6)
+        << "of one column: the road, three effusivities, skew and crown";
     // The strip is as wide as the tread, the contact is not.
     ASSERT_EQ(reading.warnings.size(), 1U) << render(reading);
     EXPECT_NE(reading.warnings[0].find("times as wide as the contact area over its length"), std::string::npos);

@@ -76,6 +76,7 @@ cells = 4
 material = "rubber"
 [effects.inner_gas]
 [effects.rim_conduction]
+[effects.pressure_across_tread]
 [effects.resolved_contact]
 [effects.road_contact]
 on = false
@@ -155,6 +156,15 @@ kind = "surface_at_entry"
 [[sensor]]
 name = "exit"
 kind = "surface_at_exit"
+[[sensor]]
+name = "outside_contact"
+kind = "contact_pressure_outside"
+[[sensor]]
+name = "middle_contact"
+kind = "contact_pressure_middle"
+[[sensor]]
+name = "inside_contact"
+kind = "contact_pressure_inside"
 [[sensor]]
 name = "stiffness"
 kind = "cornering_stiffness"

@@ -17,6 +17,7 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
                                                 "inner_gas",
                                                 "rim_conduction",
                                                 "camber_asymmetry",
+                                                "pressure_across_tread",
                                                 "brake_heat",
                                                 "cornering_loss",
                                                 "inflation_pressure_rise",
