@@ -122,7 +122,7 @@ bool simulate(SimulatedRun& it, const std::filesystem::path& directory, const in
         if (!changes.empty() && it.report.status.ok() && reading.chosen.size() < 2) {
             it.what_if = diagnosis::what_if(changes, {&problem}, {&it.report});
         }
-        it.files->write_laps(it.record(reading));
+        it.files->write_tables(it.record(reading));
         it.page = post::run_report(it.record(reading));
         it.files->write_page(it.page, page_origin(reading, options));
     });

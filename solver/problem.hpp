@@ -11,8 +11,7 @@
 
 #include "mesh/mesh.hpp"
 #include "physics/effect.hpp"
-#include "physics/tire_laws/cornering_stiffness.hpp"
-#include "physics/tire_laws/magic_formula.hpp"
+#include "physics/tire_laws/handling.hpp"
 #include "solver/input_model.hpp"
 #include "solver/input_signals.hpp"
 #include "solver/linear/factor.hpp"
@@ -34,17 +33,6 @@ struct Settings {
     double output_interval = 0.0;        ///< s between rows of channels; 0: every step
     double field_interval = 0.0;         ///< s between stored fields; 0: only first and last
     LinearSolver linear_solver = LinearSolver::automatic;
-};
-
-/// The laws by which temperature reaches vehicle dynamics.
-struct Handling {
-    physics::EquivalentModulus modulus;                  ///< of the cornering stiffness
-    double lambda_CP = 1.0;                              ///< scale of the cornering stiffness
-    std::optional<physics::MagicFormula> magic_formula;  ///< of a property file
-    /// K, of the bulk at which the property file's cornering stiffness holds: the moduli say how it changes from there.
-    double reference_temperature = 343.15;
-    bool replaces_stiffness =
-        false;  ///< the moduli are those of the property file's tire: their stiffness is taken for its own
 };
 
 /// A named output: what a sensor reads.
@@ -90,7 +78,7 @@ struct Problem {
     std::vector<physics::Material> materials;  ///< [n_layers]
     std::vector<physics::Curve> link_laws;     ///< [n_links] W/(m K) against K
     physics::Tire tire;
-    Handling handling;
+    physics::Handling handling;
     std::vector<physics::ActiveEffect> effects;
     InputSignals input_signals;
     std::shared_ptr<const InputModel> input_model{};  ///< by which some inputs follow `input_numbers`; null: none do

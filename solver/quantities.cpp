@@ -14,6 +14,7 @@
 #include "physics/contact/rolling_contact.hpp"
 #include "physics/contact/travelling.hpp"
 #include "physics/contact/tread_effusivity.hpp"
+#include "physics/tire_laws/compound.hpp"
 #include "physics/tire_laws/rolling_resistance.hpp"
 #include "solver/problem.hpp"
 #include "solver/system.hpp"
@@ -63,50 +64,51 @@ double rolling_moment(const SensorMoment& now) {
 
 double loaded_radius(const SensorMoment& now) { return tire_of(now).loaded_radius(now.inputs); }
 
-/// Of the property file, at its own temperature. N/rad
-double stiffness_of_file(const SensorMoment& now) {
-    const physics::MagicFormula& law = *now.problem.handling.magic_formula;
-    return std::abs(
-        law.cornering_stiffness(now.inputs.vertical_load, now.inputs.camber, now.inputs.inflation_pressure));
-}
-
-/// By the moduli; of a property file's tire they give the change with the temperature alone, unless they are that tire's.
 double cornering_stiffness(const SensorMoment& now) {
-    const Handling& handling = now.problem.handling;
-    const auto by_moduli = [&](double T) {
-        const double load = tire_of(now).reference_load(now.inputs);
-        return physics::cornering_stiffness(handling.modulus, tire_of(now), load, T).value;
-    };
-    const double CP = handling.lambda_CP * by_moduli(now.followed);
-    if (!handling.magic_formula || handling.replaces_stiffness || CP == 0.0) {
-        return CP;
-    }
-    return stiffness_of_file(now) * CP / by_moduli(handling.reference_temperature);
+    return now.problem.handling.cornering_stiffness(tire_of(now), now.inputs, now.followed);
 }
 
 double lambda_Tb(const SensorMoment& now) {
-    return physics::bulk_temperature_factor(cornering_stiffness(now), stiffness_of_file(now));
+    return physics::bulk_temperature_factor(cornering_stiffness(now),
+                                            now.problem.handling.stiffness_of_file(now.inputs));
 }
 
-physics::PureSlipState side_slip(const physics::Inputs& inputs) {
-    return {.load = inputs.vertical_load,
-            .slip = inputs.slip_angle,
-            .camber = inputs.camber,
-            .speed = inputs.speed,
-            .sliding_speed = std::abs(inputs.speed * std::tan(inputs.slip_angle)),
-            .pressure = inputs.inflation_pressure};
+/// At a temperature of the tread's surface, 1 where friction does not follow it. The tread's loss tangent is that of the
+/// loss, or the thesis's where the loss is off.
+double grip_at(const SensorMoment& now, double T_surface) {
+    const std::optional<physics::Grip>& law = now.problem.handling.grip;
+    if (!law) {
+        return 1.0;
+    }
+    const std::span<const physics::ActiveEffect> effects = now.system.effects();
+    const auto loss = std::ranges::find_if(effects, [](const auto& e) { return e.effect->id == "strain_energy_loss"; });
+    return law->value(T_surface, [&](double T) {
+        const physics::LossTangent standard;
+        return loss != effects.end() ? physics::tan_delta_of(*loss, 0, T, law->frequency)
+                                     : standard.value(T + standard.shift(law->frequency));
+    });
 }
+
+double grip(const SensorMoment& now) { return grip_at(now, now.followed); }
 
 double lateral_force(const SensorMoment& now) {
-    return now.problem.handling.magic_formula->lateral(side_slip(now.inputs), lambda_Tb(now)).force;
+    const double friction = grip_at(now, now.surface);
+    return now.problem.handling.lateral(tire_of(now), now.inputs, now.followed, friction).force;
+}
+
+/// The stiffness has no part in the peak, and with it the bulk's temperature; neither has the slip of the moment.
+double peak_lateral_force(const SensorMoment& now) {
+    physics::Inputs inputs = now.inputs;
+    inputs.slip_angle = 0.0;
+    return now.problem.handling.lateral(tire_of(now), inputs, now.followed, grip(now)).peak;
 }
 
 double reference_lateral_force(const SensorMoment& now) {
-    return now.problem.handling.magic_formula->lateral(side_slip(now.inputs)).force;
+    return now.problem.handling.magic_formula->lateral(physics::side_slip(now.inputs)).force;
 }
 
 double longitudinal_force(const SensorMoment& now) {
-    physics::PureSlipState state = side_slip(now.inputs);
+    physics::PureSlipState state = physics::side_slip(now.inputs);
     constexpr double least_speed = 0.1;  // m/s: below it a slip ratio is beyond any law
     state.slip = now.inputs.slip_ratio + now.inputs.slip_speed / std::max(std::abs(now.inputs.speed), least_speed);
     state.sliding_speed = std::abs(physics::longitudinal_slip_speed(now.inputs));
@@ -229,7 +231,7 @@ constexpr std::array table{
         .shown = newton,
         .signals = cornering,
         .region = "bulk",
-        .needs_magic_formula = true,
+        .needs_peak = true,
         .evaluate = lateral_force},
     QuantityDescription{.quantity = Quantity::reference_lateral_force,
                         .kind = "reference_lateral_force",
@@ -307,6 +309,24 @@ constexpr std::array table{
                         .needs_tire = false,
                         .needs_effect = "conduction",
                         .follow = conducted_to_surface},
+    QuantityDescription{.quantity = Quantity::grip,
+                        .kind = "grip",
+                        .meaning = "friction over that at its reference temperature",
+                        .unit = "1",
+                        .shown = {.name = "-"},
+                        .region = "surface",
+                        .needs_grip = true,
+                        .evaluate = grip},
+    QuantityDescription{.quantity = Quantity::peak_lateral_force,
+                        .kind = "peak_lateral_force",
+                        .meaning = "largest lateral force in pure slip",
+                        .unit = "N",
+                        .shown = newton,
+                        .signals = load,
+                        .region = "surface",
+                        .needs_peak = true,
+                        .needs_grip = true,
+                        .evaluate = peak_lateral_force},
 };
 
 constexpr bool is_in_order() {

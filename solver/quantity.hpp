@@ -34,7 +34,9 @@ enum class Quantity : std::uint8_t {
     contact_pressure_outside,  ///< 1, over the mean of the tread, of the outside shoulder
     contact_pressure_middle,   ///< the same of the crown
     contact_pressure_inside,   ///< the same of the inside shoulder
-    heat_flux                  ///< W/m2 out of the rubber: flow into the surface nodes of `where`, weighted by 1/area
+    heat_flux,                 ///< W/m2 out of the rubber: flow into the surface nodes of `where`, weighted by 1/area
+    grip,                      ///< friction over that at the reference temperature, at the temperature of `where` (30)
+    peak_lateral_force         ///< N, the largest in pure slip, with that friction
 };
 
 /// What a quantity may be followed from along a step.
@@ -57,6 +59,7 @@ struct SensorMoment {
     const physics::Inputs& logged;   ///< as logged
     double gas_start;                ///< K, of the gas at the start of the case
     std::span<double> coefficients;  ///< [n_coefficients] to work in
+    double surface = 0.0;            ///< K, mean of the region surface, where friction follows it
 };
 
 /// All that the program knows about a quantity.
@@ -71,6 +74,8 @@ struct QuantityDescription {
     bool through_patch = false;  ///< it passes the boundary: the case names a patch
     bool needs_tire = true;
     bool needs_magic_formula = false;
+    bool needs_peak = false;  ///< a property file, or the peak of the lateral force
+    bool needs_grip = false;
     std::string_view needs_effect{};
     bool follows_watts = false;  ///< `follow` looks at the watts of effects
     /// What is followed along a step, through which lag and delay act; null: the temperature of `where`.

@@ -22,7 +22,7 @@ std::span<const std::string_view> optional_signals(Quantity quantity) {
     if (description.needs_effect == "pressure_across_tread") {
         return across_tread;
     }
-    if (!description.needs_magic_formula && quantity != Quantity::cornering_stiffness) {
+    if (!description.needs_magic_formula && !description.needs_peak && quantity != Quantity::cornering_stiffness) {
         return {};
     }
     const std::span<const std::string_view> all = of_the_formula;

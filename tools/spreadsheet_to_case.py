@@ -91,14 +91,14 @@ Contact Patch Coeff A; Contact Area Coeff A | number | tire.contact_area_slope |
 Contact Patch Coeff B; Contact Area Coeff B | number | tire.contact_area_at_zero | mm2 | "0 mm2" | {THESIS} | contact_area
 LateralStiffness
 CP computation; Cornering stiffness computation; CP | sensor | sensor.cornering_stiffness.kind | | "cornering_stiffness" | ON: a sensor cornering_stiffness
-Maximum modulus; Modulus maximum; Eeq max | number | tire.modulus.belt_maximum | MPa | "330 MPa" | {MODULUS}
-Modulus delta due to contact length; Delta modulus contact length | number | tire.modulus.belt_fall | MPa | "310 MPa" | {MODULUS}
-Modulus slope due to contact length; Slope Eeq=f(Fz) | number | tire.modulus.belt_slope | 1/m; - | "-54 1/m" | {MODULUS}
-Contact length threshold; Modulus threshold contact length; l_trsh | number | tire.modulus.belt_threshold | mm | "50 mm" | {MODULUS}
-Modulus delta due to bulk temperature; Delta modulus temperature | number | tire.modulus.tread_fall | MPa | "1130 MPa" | {MODULUS}
-Modulus at the transition; Modulus mean temperature | number | tire.modulus.tread_middle | MPa | "603 MPa" | {MODULUS}
-Modulus slope due to bulk temperature; Slope Eeq=f(Tb) | rate | tire.modulus.transition_width | 1/K
-Horizontal shift due to bulk temperature; Horizontal shift Eeq=f(Tb); Horizontal shift | number | tire.modulus.transition_temperature | degC
+Maximum modulus; Modulus maximum; Eeq max | number | tire.modulus.belt_maximum | MPa | "330 MPa" | {MODULUS} | cornering_stiffness
+Modulus delta due to contact length; Delta modulus contact length | number | tire.modulus.belt_fall | MPa | "310 MPa" | {MODULUS} | cornering_stiffness
+Modulus slope due to contact length; Slope Eeq=f(Fz) | number | tire.modulus.belt_slope | 1/m; - | "-54 1/m" | {MODULUS} | cornering_stiffness
+Contact length threshold; Modulus threshold contact length; l_trsh | number | tire.modulus.belt_threshold | mm | "50 mm" | {MODULUS} | cornering_stiffness
+Modulus delta due to bulk temperature; Delta modulus temperature | number | tire.modulus.tread_fall | MPa | "1130 MPa" | {MODULUS} | cornering_stiffness
+Modulus at the transition; Modulus mean temperature | number | tire.modulus.tread_middle | MPa | "603 MPa" | {MODULUS} | cornering_stiffness
+Modulus slope due to bulk temperature; Slope Eeq=f(Tb) | rate | tire.modulus.transition_width | 1/K | | | cornering_stiffness
+Horizontal shift due to bulk temperature; Horizontal shift Eeq=f(Tb); Horizontal shift | number | tire.modulus.transition_temperature | degC | | | cornering_stiffness
 Radius
 Loaded Radius Coeff A | number | tire.loaded_radius_slope | m/N | "-4.2e-6 m/N" | {THESIS} | loaded_radius
 Loaded Radius Coeff B | number | tire.loaded_radius_at_zero | m | | the unloaded radius | loaded_radius
@@ -123,7 +123,7 @@ THRCOND | {TEMPERATURE} | degC | Thermal Conductivity; k; Conductivity | W/mK | 
 SPEHEAT | {TEMPERATURE} | degC | Specific heat; c; cv; Specific heat capacity | J/kgK | material.heat_capacity
 ContactPatch | {LOAD}contact length; {LOAD}contact patch | N | Contact Length; Contact Length vector; Length; Equivalent contact patch length | mm | tire.contact_length
 ContactPatch | {LOAD}contact length; {LOAD}contact patch | N | Contact Patch; Contact Patch vector; Contact Area; Area; Contact patch area | mm2 | tire.contact_area
-LateralStiffness | {LOAD}Lateral Stiffness | N | Lateral Stiffness; Tire Lateral stiffness; Cornering Stiffness; CP | N/rad |
+LateralStiffness | {LOAD}Lateral Stiffness | N | Lateral Stiffness; Tire Lateral stiffness; Cornering Stiffness; CP | N/rad | tire.cornering_stiffness
 Radius | {LOAD}Loaded Radius; {LOAD}Rolling Radius | N | Loaded Radius; Loaded Radius Vector; RL | m | tire.loaded_radius
 Radius | {LOAD}Loaded Radius; {LOAD}Rolling Radius | N | Rolling Radius; Rolling Radius Vector; RR | m | tire.rolling_radius
 """
@@ -143,6 +143,7 @@ SOURCE = ("Essentiality of Temperature Management while Modeling and Analyzing T
           "Naples Federico II, 2014: equations (31)-(71)")
 HEADS = {  # the tables of the case in their order, and what stands at their heads
     "": "", "tire": "[tire]", "tire.modulus": "[tire.modulus]  # behind the cornering stiffness",
+    "tire.measured": "[tire.measured]  # to stand beside the laws",
     "mesh": '[mesh]\nkind = "two_node"\nmaterial = "rubber"', "material": '[[material]]\nname = "rubber"',
     "effects.strain_energy_loss": "[effects.strain_energy_loss]", "effects.sliding_friction": "[effects.sliding_friction]",
     "effects.air_convection": '[effects.air_convection]\nexponential = "on"                  # thesis (33) as printed',
@@ -155,17 +156,11 @@ STANDARD_LAWS = {
     "conductivity": ('{ at = "20 degC", value = "0.29 W/mK", slope = "0.00943 W/mK/K", range = ["20 degC", "120 degC"] }',
                      "not printed in the thesis: the line through its 0.29 W/mK at 20 degC and 0.95 W/mK at 90 degC")}
 ZERO = 273.15  # 0 degC in kelvin
-# Laws of the load that a measured table can stand beside: the keys of their two numbers, and the law in the units of the sheet.
-LAWS = {"contact_length": ("tire.contact_length_limit", "tire.contact_length_slope",
-                           lambda l, k, load: l - 2 * l / (1 + math.exp(k * load / 1000))),
-        "contact_area": ("tire.contact_area_slope", "tire.contact_area_at_zero", lambda a, b, load: a * load + b),
-        "loaded_radius": ("tire.loaded_radius_slope", "tire.loaded_radius_at_zero", lambda a, b, load: a * load + b),
-        "rolling_radius": ("tire.rolling_radius_factor", "tire.rolling_radius_exponent", lambda a, b, load: a * load**b)}
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 Parameter = namedtuple("Parameter", "sheet names use key units standard reason law")
 Table = namedtuple("Table", "sheet variables variable_unit values value_unit key")
 Value = namedtuple("Value", "text number unit name cell sound")
-Measured = namedtuple("Measured", "table names units rows cells")  # names, units and rows: of the variable and the value
+Measured = namedtuple("Measured", "table names units rows cells")  # names, units and rows: of the variables and the value
 Entry = namedtuple("Entry", "key lines remark name cells unit")  # cells: of each line, or None
 
 
@@ -430,20 +425,24 @@ class Sheets:
             if head is not None and any(m.table == table for m in self.measured):
                 self.wrong(head, f"a second column {heads[head][0]}", "keep one of them")
             elif head is not None:
-                units = [plain_unit(heads[cell][1]) for cell in (filled[0], head)]
-                self.read_table(table, units, [(row[columns[0]], row[head.order[2]]) for row in rows[1:end]])
+                # The stiffness has two variables; of other tables a temperature is the first column or nothing.
+                second = [cell for cell in filled[1:] if called(heads[cell][0], *TEMPERATURE.split("; "))]
+                used = [filled[0], *(second if table.key.endswith("stiffness") else []), head]
+                names = [table.variables.split("; ")[0], *(heads[cell][0] for cell in used[1:-1]), table.values.split("; ")[0]]
+                units = [plain_unit(heads[cell][1]) for cell in used]
+                self.read_table(table, names, units, [[row[cell.order[2]] for cell in used] for row in rows[1:end]])
         return end
 
-    def read_table(self, table, units, pairs):
-        names = [table.variables.split("; ")[0], table.values.split("; ")[0]]
+    def read_table(self, table, names, units, rows):
         measured = Measured(table, names, units, [], [])
-        for pair in pairs:
-            if pair[1] and not pair[0]:
-                self.wrong(pair[1], f"{names[1]} is given without {names[0]}")
-            numbers = [self.number(name, cell, None)[0] if cell else None for name, cell in zip(names, pair)]
+        for row in rows:
+            for name, cell in zip(names[:-1], row):
+                if row[-1] and not cell:
+                    self.wrong(row[-1], f"{names[-1]} is given without {name}")
+            numbers = [self.number(name, cell, None)[0] if cell else None for name, cell in zip(names, row)]
             if None not in numbers:
                 measured.rows.append(numbers)
-                measured.cells.append(pair[1])
+                measured.cells.append(row[-1])
         if measured.rows:
             self.measured.append(measured)
 
@@ -506,14 +505,19 @@ class Case:
         return next((m for m in self.sheets.measured if law and not given and m.table.key.endswith(f".{law}")), None)
 
     def table(self, measured):
-        table, law = measured.table, measured.table.key.rpartition(".")[2]
-        if self.table_for(law):
+        """A table in the place of its law; of the tire beside it, where the law's coefficients are given."""
+        table, (block, _, law) = measured.table, measured.table.key.rpartition(".")
+        if self.table_for(law) or block == "tire":
             self.mapped += 1
-            variable = "temperature" if table.variable_unit == "degC" else "load"
-            lines = [f'{{ columns = ["{variable} [{measured.units[0]}]", "{law} [{measured.units[1]}]"], rows = [',
-                     *(f"    [{number_text(x)}, {number_text(y)}]," for x, y in measured.rows), "] }"]
+            key = table.key if self.table_for(law) else f"tire.measured.{law}"
+            of_load = ["vertical_load", "bulk_temperature"] if law == "cornering_stiffness" else ["load"]
+            variables = ["temperature"] if block == "material" else of_load
+            heads = ", ".join(quoted(f"{name} [{unit}]") for name, unit in
+                              zip([*variables[:len(measured.names) - 1], law], measured.units))
+            lines = [f"{{ columns = [{heads}], rows = [",
+                     *(f"    [{', '.join(map(number_text, row))}]," for row in measured.rows), "] }"]
             cells = [measured.cells[0], *measured.cells, measured.cells[-1]]
-            self.entries.append(Entry(table.key, lines, f"{table.sheet}: {measured.names[1]}", measured.names[1], cells, ""))
+            self.entries.append(Entry(key, lines, f"{table.sheet}: {measured.names[-1]}", measured.names[-1], cells, ""))
 
     def law(self, law, *of):
         """A law k or c = A T^2 + B T + C, of its coefficients; about 0 degC, whatever scale the sheet counts on."""
@@ -566,15 +570,6 @@ class Case:
                 for i, line in enumerate(entry.lines):
                     yield line if i else f"{entry.key.rpartition('.')[2]} = {line}{remark}", entry, i
 
-    def number_of(self, key):
-        """The number of a key in the unit of its sheet; None where it is written in another, or not at all."""
-        for entry in self.entries:
-            if entry.key == key and len(entry.lines) == 1:
-                number, _, unit = entry.lines[0].strip('"').partition(" ")
-                wanted = next(p.units[0] for p in self.sheets.parameters if p.key == key)
-                return float(number) if unit in (wanted, "" if wanted == "1" else wanted) else None
-        return None
-
     def compare(self):
         """Lists what the program computes itself, and measured tables that stand beside the law which the case takes."""
         for p, value in self.sheets.values.items():
@@ -582,18 +577,14 @@ class Case:
                 shown = quantity(value.number, value.unit).strip('"')
                 self.unmapped.append((p.sheet, p.names[0], shown, "the program computes it"))
         for table, names, units, rows, _ in self.sheets.measured:
-            law = table.key.rpartition(".")[2]
-            if not self.table_for(law):
-                reason = f"the {'law of the same sheet is used' if law else 'program makes the cornering stiffness of the modulus'}"
+            block, _, law = table.key.rpartition(".")
+            if block == "material" and not self.table_for(law):
                 self.unmapped.append((table.sheet, f"{names[1]} against {names[0]}", f"{len(rows)} rows",
-                                      reason + self.furthest(table, law, units, rows)))
+                                      "the law of the same sheet is used" + self.furthest(table, law, units, rows)))
 
     def furthest(self, table, law, units, rows):
         """Where table and law differ most; nothing where one of them is in units of its own."""
         value = self.laws.get(law)
-        if law in LAWS:
-            *numbers, function = (self.number_of(LAWS[law][0]), self.number_of(LAWS[law][1]), LAWS[law][2])
-            value = None if None in numbers else lambda x: function(*numbers, x)
         if value is None or units != [table.variable_unit, table.value_unit]:
             return ""
         x, y = max(rows, key=lambda row: abs(value(row[0]) / row[1] - 1) if row[1] else math.inf)

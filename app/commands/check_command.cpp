@@ -28,6 +28,7 @@
 #include "physics/celsius.hpp"
 #include "physics/tire_laws/load_capacity.hpp"
 #include "post/report/table.hpp"
+#include "post/run/tire_laws.hpp"
 
 namespace tiretherm::app {
 
@@ -134,18 +135,40 @@ std::string modulus_text(double pascal) {
     return pascal < 1e9 ? fmt::format("{:.3g} MPa", pascal * 1e-6) : fmt::format("{:.3g} GPa", pascal * 1e-9);
 }
 
+/// "33 MPa around the circumference, 14 MPa along the meridian, G_xy 6.06 MPa, nu_xy 1.02"
+std::string sheet_text(const physics::Sheet& sheet) {
+    return fmt::format("{} around the circumference, {} along the meridian, G_xy {}, nu_xy {:.3g}",
+                       modulus_text(sheet.E_x), modulus_text(sheet.E_y), modulus_text(sheet.G_xy), sheet.nu_xy);
+}
+
 /// "belt: 11.3 % cords; at 20 degC 0.313 W/mK through, 1.09 along the meridian, 5.09 around the circumference; ...".
 std::string ply_text(const input::PlySummary& ply) {
     std::string text = fmt::format(
         "{}: {:.3g} % cords; at {:.6g} degC {:.3g} W/mK through, {:.3g} along the meridian, {:.3g} around the "
         "circumference",
         ply.material, ply.cord_share * 100.0, celsius(ply.temperature), ply.through, ply.meridian, ply.circumference);
-    if (ply.lamina) {
-        text += fmt::format("; moduli of one ply {} along its cords, {} across, {} around the circumference",
-                            modulus_text(ply.lamina->E1), modulus_text(ply.lamina->E2),
-                            modulus_text(ply.modulus_circumference));
+    if (ply.elastic) {
+        const physics::Lamina& lamina = ply.elastic->lamina;
+        text += fmt::format("; moduli of one ply {} along its cords, {} across, G12 {}, nu12 {:.3g}; {}",
+                            modulus_text(lamina.E1), modulus_text(lamina.E2), modulus_text(lamina.G12), lamina.nu12,
+                            sheet_text(ply.elastic->ply));
+        if (ply.elastic->plies > 1) {
+            text +=
+                fmt::format("; of its {} plies on one another {}", ply.elastic->plies, sheet_text(ply.elastic->layer));
+        }
     }
     return text;
+}
+
+/// "at most 0.786 at -8 degC and 52 Hz"; of several compounds with their layers.
+std::string loss_text(const std::vector<post::CompoundPeak>& compounds) {
+    std::vector<std::string> parts;
+    for (const post::CompoundPeak& compound : compounds) {
+        parts.push_back(fmt::format("{}{:.3g} at {:.4g} degC and {:.4g} Hz",
+                                    compounds.size() > 1 ? input::listed(compound.layers) + " " : "",
+                                    compound.peak.value, celsius(compound.peak.temperature), compound.peak.frequency));
+    }
+    return fmt::format("at most {}", fmt::join(parts, ", "));
 }
 
 void print_text(const Checked& checked) {
@@ -157,6 +180,9 @@ void print_text(const Checked& checked) {
     }
     for (const input::PlySummary& ply : checked.plies) {
         table.add({"plies", ply_text(ply)});
+    }
+    if (const auto compounds = post::compound_peaks(problem); !compounds.empty()) {
+        table.add({"tan delta", loss_text(compounds)});
     }
     table.add({"effects", fmt::format("{}", fmt::join(effect_names(problem), ", "))});
     table.add({"channels", fmt::format("{}", fmt::join(channel_names(problem), ", "))});
@@ -180,8 +206,16 @@ void print_text(const Checked& checked) {
     }
 }
 
+using Json = nlohmann::ordered_json;
+
+Json json_of(const physics::Sheet& sheet) {
+    return {{"modulus_circumference", sheet.E_x},
+            {"modulus_meridian", sheet.E_y},
+            {"shear_modulus", sheet.G_xy},
+            {"poisson", sheet.nu_xy}};
+}
+
 void print_json(const Checked& checked) {
-    using Json = nlohmann::ordered_json;
     const solver::Problem& problem = checked.problem;
     const input::CaseSize size = input::size_of(problem);
     Json json{{"case", problem.name},
@@ -209,11 +243,19 @@ void print_json(const Checked& checked) {
                                  {"conductivity_through", ply.through},
                                  {"conductivity_meridian", ply.meridian},
                                  {"conductivity_circumference", ply.circumference}});
-        if (ply.lamina) {
-            json["plies"].back().update({{"modulus_along", ply.lamina->E1},
-                                         {"modulus_across", ply.lamina->E2},
-                                         {"modulus_circumference", ply.modulus_circumference}});
+        if (ply.elastic) {
+            const physics::Lamina& lamina = ply.elastic->lamina;
+            json["plies"].back().update({{"modulus_along", lamina.E1},
+                                         {"modulus_across", lamina.E2},
+                                         {"shear_modulus", lamina.G12},
+                                         {"poisson_along_across", lamina.nu12},
+                                         {"modulus_circumference", ply.elastic->ply.E_x},
+                                         {"one_ply", json_of(ply.elastic->ply)},
+                                         {"all_plies", json_of(ply.elastic->layer)}});
         }
+    }
+    if (const post::Value tire = post::tire_laws_data(problem); tire.held().index() != 0) {
+        json["tire"] = Json::parse(post::compact_json(tire));
     }
     for (const input::MeasuredRun& run : checked.runs) {
         Json measured = Json::array();

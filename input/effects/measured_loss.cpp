@@ -10,6 +10,7 @@
 
 #include "input/effects/resistance_table.hpp"
 #include "input/text/quantity_specs.hpp"
+#include "physics/tire_laws/measured_loss.hpp"
 
 namespace tiretherm::input {
 
@@ -50,7 +51,7 @@ void warn_beyond(const TomlTable& table, const physics::Signal& signal, const st
 std::optional<MeasuredLoss> read_table(TomlTable& table, const std::string& name, const solver::InputSignals& inputs,
                                        const GivenSignals& given, std::vector<std::string>& over) {
     const SourceLocation mentioned = table.place("total");
-    std::optional<ResistanceFile> file =
+    std::optional<GridFile> file =
         read_resistance_table(table.errors().beside(mentioned, name), mentioned, table.errors());
     if (!file) {
         return std::nullopt;

@@ -73,6 +73,12 @@ std::optional<PlyElasticity> read_elasticity(TomlTable& table) {
     return PlyElasticity{.cord = {.modulus = *E_c, .poisson = *nu_c}, .rubber = {.modulus = *E_r, .poisson = *nu_r}};
 }
 
+/// @pre it has moduli
+physics::Lamina lamina_of(const CordRubberPly& ply) {
+    return physics::lamina(
+        {.cord = ply.elasticity->cord, .rubber = ply.elasticity->rubber, .cord_share = ply.cords.share});
+}
+
 bool resolves(const mesh::Mesh& mesh, Axis axis) {
     return std::ranges::any_of(
         mesh.faces, [&](const mesh::Face& face) { return !face.is_coupling && face.link < 0 && face.axis == axis; });
@@ -159,6 +165,8 @@ void check_thickness(const CordRubberPly& ply, double thickness, const TomlTable
     }
 }
 
+physics::Sheet laminate_of(const CordRubberPly& ply) { return physics::laminate(lamina_of(ply), ply.angle, ply.plies); }
+
 PlySummary summary_of(const CordRubberPly& ply, const physics::Material& material) {
     constexpr double room = 293.15;
     PlySummary summary{.material = material.name,
@@ -168,9 +176,10 @@ PlySummary summary_of(const CordRubberPly& ply, const physics::Material& materia
                        .circumference = material.along(Axis::circumference).value(room),
                        .through = material.along(Axis::through).value(room)};
     if (ply.elasticity) {
-        summary.lamina = physics::lamina(
-            {.cord = ply.elasticity->cord, .rubber = ply.elasticity->rubber, .cord_share = ply.cords.share});
-        summary.modulus_circumference = summary.lamina->modulus_at(ply.angle);
+        summary.elastic = {.lamina = lamina_of(ply),
+                           .ply = physics::laminate(lamina_of(ply), ply.angle, 1),
+                           .layer = laminate_of(ply),
+                           .plies = ply.plies};
     }
     return summary;
 }

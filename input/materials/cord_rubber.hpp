@@ -57,6 +57,9 @@ void check_cord_rubber(const CordRubberPly& ply, const std::string& name, const 
 /// A warning where a layer is not as thick as its plies. @param thickness m, of the layer
 void check_thickness(const CordRubberPly& ply, double thickness, const TomlTable& layer);
 
+/// The layer's plies glued together, x around the circumference and y along the meridian. @pre they have moduli
+[[nodiscard]] physics::Sheet laminate_of(const CordRubberPly& ply);
+
 [[nodiscard]] PlySummary summary_of(const CordRubberPly& ply, const physics::Material& material);
 
 }  // namespace tiretherm::input

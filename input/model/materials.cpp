@@ -94,12 +94,8 @@ std::vector<Stock> read_materials(TomlTable& root) {
     return all;
 }
 
-const Stock* read_material(TomlTable& table, std::string_view key, std::vector<Stock>& all) {
-    const std::optional<std::string> name = table.text(key, Need::required);
-    if (!name) {
-        return nullptr;
-    }
-    if (Stock* stock = find(all, *name)) {
+const Stock* use_material(const LocatedString& name, std::vector<Stock>& all, InputErrors& errors) {
+    if (Stock* stock = find(all, name.text)) {
         stock->used = true;
         Stock* rubber = stock->ply ? find(all, stock->ply->rubber) : nullptr;
         if (rubber != nullptr) {
@@ -107,9 +103,13 @@ const Stock* read_material(TomlTable& table, std::string_view key, std::vector<S
         }
         return stock;
     }
-    static_cast<void>(find_name({*name, table.place(key)}, names_of_materials(all), "there is no material", "materials",
-                                table.errors()));
+    static_cast<void>(find_name(name, names_of_materials(all), "there is no material", "materials", errors));
     return nullptr;
+}
+
+const Stock* read_material(TomlTable& table, std::string_view key, std::vector<Stock>& all) {
+    const std::optional<std::string> name = table.text(key, Need::required);
+    return name ? use_material({*name, table.place(key)}, all, table.errors()) : nullptr;
 }
 
 }  // namespace tiretherm::input

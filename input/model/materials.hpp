@@ -17,13 +17,16 @@ struct Stock {
     physics::Material material;
     const TomlValue* table = nullptr;
     std::optional<CordRubberPly> ply{};  ///< of cords in rubber: its conductivities follow from them
-    bool used = false;                   ///< a layer is made of it, or plies are whose rubber it is
+    bool used =
+        false;  ///< a layer is made of it, the stiffness of the belt follows it, or plies are whose rubber it is
 };
 
 [[nodiscard]] std::vector<Stock> read_materials(TomlTable& root);
 [[nodiscard]] std::vector<std::string> names_of_materials(const std::vector<Stock>& all);
 
-/// The material that a key names, which is used then; null after an error.
+/// The material of a name, which is used then; null after an error.
+[[nodiscard]] const Stock* use_material(const LocatedString& name, std::vector<Stock>& stock, InputErrors& errors);
+/// The one that a key names.
 [[nodiscard]] const Stock* read_material(TomlTable& table, std::string_view key, std::vector<Stock>& stock);
 
 /// Laws must be positive wherever the run is sure to go: between the coldest and the hottest temperature that the case

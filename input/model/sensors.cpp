@@ -83,10 +83,18 @@ Where read_quantity(TomlTable& sensor, const solver::QuantityDescription& quanti
                              fmt::format("add {} to [drive]", signal));
         }
     }
-    if (quantity.needs_magic_formula && !in.problem.handling.magic_formula) {
+    const physics::Handling& handling = in.problem.handling;
+    if (quantity.needs_grip && !handling.grip) {
+        return sensor.add_error(
+            "kind",
+            fmt::format("{} cannot be computed: [tire] lacks how friction follows the temperature", quantity.kind),
+            "add [tire.grip]");
+    }
+    if ((quantity.needs_magic_formula && !handling.magic_formula) || (quantity.needs_peak && !handling.can_corner())) {
         if (in.property_file.empty()) {
             sensor.add_error("kind", fmt::format("{} cannot be computed: the tire has no property file", quantity.kind),
-                             "add property_file = \"....tir\" to [tire]");
+                             quantity.needs_peak ? "add property_file = \"....tir\" to [tire], or [tire.lateral_peak]"
+                                                 : "add property_file = \"....tir\" to [tire]");
         } else {
             sensor.add_error(
                 "kind", fmt::format("{} cannot be computed: the property file {} could not be used, see its errors",
@@ -196,10 +204,10 @@ void add_channels(const TomlTable& sensor, const std::string& name, std::vector<
 }
 
 /// No property file tells at which temperature its tire was measured.
-void say_temperature_of_file(const TomlTable& root, const TomlValue& file, const solver::Handling& handling,
+void say_temperature_of_file(const TomlTable& root, const TomlValue& file, const physics::Handling& handling,
                              const std::vector<solver::Channel>& channels) {
     using enum solver::Quantity;
-    const bool is_said = handling.replaces_stiffness || !handling.magic_formula ||
+    const bool is_said = handling.replaces_stiffness || handling.stiffness_table || !handling.magic_formula ||
                          root.content().find({"tire", "modulus", "reference_temperature"}) != nullptr;
     const auto follows = std::ranges::find_if(channels, [](const solver::Channel& channel) {
         return channel.quantity == cornering_stiffness || channel.quantity == bulk_temperature_factor ||

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads [tire]: size designation such as 225/50 R17, dimensions, laws of the load, moduli of the cornering stiffness
-// and the .tir property file.
+// Reads [tire]: size designation such as 225/50 R17, dimensions and laws of the load.
 
 #include <array>
 #include <cmath>
 
+#include "input/model/handling.hpp"
 #include "input/model/law.hpp"
 #include "input/model/tire.hpp"
 #include "input/text/quantity_specs.hpp"
 #include "input/text/word_lists.hpp"
-#include "input/tire_property_file/tir_file.hpp"
 #include "input/tire_property_file/tire_size.hpp"
 #include "physics/tire_laws/scaled_tire.hpp"
 
@@ -19,20 +18,23 @@ namespace {
 
 using physics::Tire;
 
-/// A law of the load: its table, and the numbers that describe it otherwise.
-struct Law {
-    std::string_view table;
-    std::optional<physics::Curve> Tire::*member;
-    QuantitySpec value;
-    std::string_view number;  ///< a key of [tire]
-};
+using physics::MeasuredLaws;
 
 constexpr QuantitySpec radius{.unit = "m", .low = 0.01, .high = 5.0, .usual_low = 0.1, .usual_high = 2.0};
 const std::array laws{
-    Law{"contact_length", &Tire::contact_length_table, {.unit = "m", .low = 0.0, .high = 5.0}, "contact_length_limit"},
-    Law{"contact_area", &Tire::contact_area_table, {.unit = "m2", .low = 0.0, .high = 5.0}, "contact_area_slope"},
-    Law{"loaded_radius", &Tire::loaded_radius_table, radius, "loaded_radius_slope"},
-    Law{"rolling_radius", &Tire::rolling_radius_table, radius, "rolling_radius_factor"},
+    LoadLaw{"contact_length",
+            &Tire::contact_length_table,
+            &MeasuredLaws::contact_length,
+            {.unit = "m", .low = 0.0, .high = 5.0},
+            "contact_length_limit"},
+    LoadLaw{"contact_area",
+            &Tire::contact_area_table,
+            &MeasuredLaws::contact_area,
+            {.unit = "m2", .low = 0.0, .high = 5.0},
+            "contact_area_slope"},
+    LoadLaw{"loaded_radius", &Tire::loaded_radius_table, &MeasuredLaws::loaded_radius, radius, "loaded_radius_slope"},
+    LoadLaw{"rolling_radius", &Tire::rolling_radius_table, &MeasuredLaws::rolling_radius, radius,
+            "rolling_radius_factor"},
 };
 
 void read_size(TomlTable& tire, Tire& into) {
@@ -50,36 +52,6 @@ void read_size(TomlTable& tire, Tire& into) {
     into.width = size.width;
     into.section_height = size.section_height;
     into.unloaded_radius = size.radius();
-}
-
-/// The moduli of the cornering stiffness: [tire.modulus].
-void read_modulus(TomlTable& tire, solver::Handling& into) {
-    TomlTable table = tire.subtable("modulus");
-    physics::EquivalentModulus& m = into.modulus;
-    table.read_into(m);
-    table.read_into(into);
-    if (m.dE >= m.E_max) {
-        table.add_error("belt_fall", "the belt's modulus would fall to nothing", "let it be smaller than belt_maximum");
-    }
-    if (m.dE_T >= 2.0 * m.E_mid) {
-        table.add_error("tread_fall", "the tread's modulus would fall to nothing",
-                        "let it be smaller than twice tread_middle");
-    }
-}
-
-/// The Magic Formula's coefficients: property_file, beside the file that names it.
-void read_property_file(TomlTable& tire, solver::Handling& into) {
-    if (const std::optional<std::string> path = tire.text("property_file")) {
-        const SourceLocation mentioned = tire.place("property_file");
-        if (const auto file = read_tir_file(tire.errors().beside(mentioned, *path), mentioned, tire.errors())) {
-            into.magic_formula = file->law_on_the_right();
-            if (file->is_left) {
-                tire.errors().warn(mentioned,
-                                   "TYRESIDE of the property file is LEFT: its mirror image counts, as the inputs are "
-                                   "those of a tire on the right");
-            }
-        }
-    }
 }
 
 void check(const TomlTable& tire, const Tire& read, double nominal_radius) {
@@ -100,6 +72,8 @@ void check(const TomlTable& tire, const Tire& read, double nominal_radius) {
 
 }  // namespace
 
+std::span<const LoadLaw> load_laws() { return laws; }
+
 TireTable read_tire(TomlTable& root) {
     TomlTable tire = root.subtable("tire");
     TireTable read{.given = tire.exists(), .has_density = tire.has("density")};
@@ -116,13 +90,12 @@ TireTable read_tire(TomlTable& root) {
     if (!tire.has("loaded_radius_at_zero")) {
         into.loaded_radius_at_zero = into.unloaded_radius;
     }
-    read_modulus(tire, read.handling);
-    read_property_file(tire, read.handling);
+    read.handling = read_handling(tire);
     std::vector<std::string> borrowed;
-    for (const Law& law : laws) {
-        into.*law.member = read_curve(tire, law.table, quantity_specs::load, law.value);
-        if (!tire.has(law.table) && !tire.has(law.number)) {
-            borrowed.emplace_back(law.table);
+    for (const LoadLaw& law : laws) {
+        into.*law.member = read_curve(tire, law.name, quantity_specs::load, law.value);
+        if (!tire.has(law.name) && !tire.has(law.number)) {
+            borrowed.emplace_back(law.name);
         }
     }
     if (tire.errors().count() > before) {

@@ -7,6 +7,7 @@
 
 #include "input/effects/effects.hpp"
 #include "input/effects/user_effects.hpp"
+#include "input/model/handling.hpp"
 #include "input/model/mesh.hpp"
 #include "input/model/sensors.hpp"
 #include "input/model/tire.hpp"
@@ -52,10 +53,11 @@ CaseTables read_tables(TomlTable& root, const std::string& name, const RunInputs
     read.limits = read_limits(root);
     TireTable tire = read_tire(root);
     read.stock = read_materials(root);
+    settle_belt(root, read.stock, tire.handling);
     // Layers take the tire's area and radius where they have none, and a lump's material gives the tire its density.
     MeshTable mesh = read_mesh(root, {.tire = tire, .stock = read.stock, .limits = read.limits});
     problem.tire = tire.tire;
-    problem.handling = tire.handling;
+    problem.handling = std::move(tire.handling);
     problem.mesh = std::move(mesh.mesh);
     problem.materials = std::move(mesh.materials);
     problem.link_laws = std::move(mesh.link_laws);

@@ -28,6 +28,7 @@ const std::map<std::string_view, std::string_view, std::less<>>& described_as() 
         {"material.conductivity", "law"},
         {"material.conductivity_meridian", "law"},
         {"material.conductivity_circumference", "law"},
+        {"tire.grip.adhesion", "law"},
         {"number.over", "number.minus"},
         {"number.over.minus", "number.minus"},
     };

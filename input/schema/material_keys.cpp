@@ -38,7 +38,7 @@ std::vector<TableKeys> material_tables() {
             quantity("cord_conductivity_across", conductivity, "Conductivity across a cord. Default: as along it."),
             quantity("cord_density", density, "Density of a cord. The density is then V times it and 1 - V times the rubber's.").sometimes(),
             quantity("cord_heat_capacity", heat_capacity, "Specific heat capacity of a cord. The heat capacity is then that of cords and rubber together.").sometimes(),
-            quantity("cord_modulus", {.unit = "Pa", .low = 0.0, .high = 1e13, .above = true}, "Young's modulus of a cord. The four moduli and ratios are given together; `check` prints what a ply's follow from them (thesis (54)-(56)), and nothing else uses them.").sometimes(),
+            quantity("cord_modulus", {.unit = "Pa", .low = 0.0, .high = 1e13, .above = true}, "Young's modulus of a cord. The four moduli and ratios are given together; `check` prints what follows from them for a ply and for all plies of the layer (thesis (54)-(56)); the belt's modulus follows them where `belt_material` of `[tire.modulus]` names this material.").sometimes(),
             quantity("cord_poisson", {.unit = "1", .low = 0.0, .high = 0.5}, "Poisson's ratio of a cord.").sometimes(),
             quantity("rubber_modulus", {.unit = "Pa", .low = 0.0, .high = 1e13, .above = true}, "Young's modulus of the rubber.").sometimes(),
             quantity("rubber_poisson", {.unit = "1", .low = 0.0, .high = 0.5}, "Poisson's ratio of the rubber.").sometimes(),

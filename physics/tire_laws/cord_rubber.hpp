@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elastic moduli of a belt ply from its cords and rubber, along and at an angle to the cords (thesis (53)-(56), errata
+// Elastic moduli of a belt ply from its cords and rubber, along and at an angle to the cords, and of plies on one another (thesis (53)-(56), errata
 // E6, E10, E11).
 #pragma once
 
@@ -40,6 +40,21 @@ struct Lamina {
     ///     1/G_xy = cos^2(2 psi)/G12 + ((1 + nu12)/E1 + (1 + nu21)/E2) sin^2(2 psi)         thesis (56), erratum E11
     [[nodiscard]] double shear_modulus_at(double angle) const;
 };
+
+/// A sheet in plane stress, as it gives way along fixed axes.
+struct Sheet {
+    double E_x = 0.0;    ///< Pa, pulled along x alone
+    double E_y = 0.0;    ///< Pa
+    double G_xy = 0.0;   ///< Pa
+    double nu_xy = 0.0;  ///< 1, contraction along y under a pull along x
+};
+
+/// Plies at +psi and -psi in turn, glued together, without bending (classical lamination: the mean of the plies' stiffnesses,
+/// inverted). One ply is free to shear: E_x and G_xy are those of (56), and
+///     nu_xy = E_x (nu12/E1 (cos^4 + sin^4) - (1/E1 + 1/E2 - 1/G12) sin^2 cos^2)
+/// Plies in pairs hold each other: E_x of a belt's pair is several times that of one of its plies.
+/// @param angle psi, rad, of the cords to x  @param plies at least one
+[[nodiscard]] Sheet laminate(const Lamina& ply, double angle, int plies);
 
 /// The ply's moduli from its parts.                                                     thesis (54)-(56), erratum E11
 ///     E1 = E_c V_c + E_r (1 - V_c)        E2 = E_r (1 + 2 V_c)/(1 - V_c)        nu12 = nu_c V_c + nu_r (1 - V_c)

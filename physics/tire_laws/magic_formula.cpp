@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tiretherm::physics {
 
@@ -89,11 +90,11 @@ double MagicFormula::camber_stiffness(double load, double pressure) const {
                : (pHy3 * cornering_stiffness(Fz, 0.0) + Fz * (pVy3 + pVy4 * df)) * camber_scaling();
 }
 
-PureSlip MagicFormula::lateral(const PureSlipState& state, double lambda_Tb) const {
+PureSlip MagicFormula::lateral(const PureSlipState& state, double lambda_Tb, double grip) const {
     const double Fz = std::max(0.0, state.load);
     const double df = load_change(Fz);
     const double g = camber_of(state.camber, lambda.gammay);
-    const double scaling = friction_scaling(lambda.muy, state.sliding_speed);
+    const double scaling = friction_scaling(grip * lambda.muy, state.sliding_speed);
     const double degressive = friction_degression * scaling / (1.0 + (friction_degression - 1.0) * scaling);
     const double K = lambda_Tb * cornering_stiffness(Fz, state.camber, state.pressure);
     const double dp = pressure_change(state.pressure);
@@ -116,6 +117,23 @@ PureSlip MagicFormula::lateral(const PureSlipState& state, double lambda_Tb) con
     const double x = slip + curve.horizontal_shift;
     curve.curvature = (pEy1 + pEy2 * df) * (1.0 + pEy5 * g * g - (pEy3 + pEy4 * g) * sign(x)) * lambda.Ey;
     return on_curve(curve, x);
+}
+
+double PeakCurve::shape() const { return 2.0 - 2.0 / std::numbers::pi * std::asin(asymptote); }
+
+double PeakCurve::curvature(double B) const {
+    const double Bx = B * peak_slip;
+    return std::min(1.0, (Bx - std::tan(0.5 * std::numbers::pi / shape())) / (Bx - std::atan(Bx)));
+}
+
+PureSlip PeakCurve::force(double load, double CP, double slip, double grip) const {
+    PureSlip curve{.stiffness = CP, .peak = friction * std::max(0.0, load), .shape = shape()};
+    if (curve.peak > 0.0 && CP > 0.0) {
+        curve.curvature = curvature(CP / (curve.shape * curve.peak));
+        curve.peak *= grip;
+        curve = on_curve(curve, slip);
+    }
+    return curve;
 }
 
 }  // namespace tiretherm::physics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Magic Formula in pure slip for MF-Tyre 5.2, MF-Tyre 6.1 and Pacejka's book of 2006 (thesis (8)-(11), (58)-(60),
-// erratum E14); lambda_Tb scales K_y with the bulk temperature.
+// Magic Formula in pure slip for MF-Tyre 5.2, MF-Tyre 6.1 and Pacejka's book of 2006 (thesis (4)-(11), (58)-(60),
+// erratum E14); lambda_Tb scales K_y with the bulk temperature. A curve through a known peak where there is no file.
 #pragma once
 
 #include <cstdint>
@@ -84,7 +84,8 @@ struct MagicFormula {
     /// F_x0 at a slip ratio.                                                                        thesis (8)
     [[nodiscard]] PureSlip longitudinal(const PureSlipState& state) const;
     /// F_y0 at a slip angle. @param lambda_Tb factor of the bulk temperature on K_y                 thesis (10)(59)
-    [[nodiscard]] PureSlip lateral(const PureSlipState& state, double lambda_Tb = 1.0) const;
+    /// @param grip of the surface's temperature on mu_y, beside lambda_muy
+    [[nodiscard]] PureSlip lateral(const PureSlipState& state, double lambda_Tb = 1.0, double grip = 1.0) const;
     /// K_y(Fz, gamma), the reference of lambda_Tb. @param pressure as in PureSlipState
     /// @returns N/rad, with the sign of pKy1                                                        thesis (11)(60)
     [[nodiscard]] double cornering_stiffness(double load, double camber, double pressure = 0.0) const;
@@ -97,6 +98,25 @@ private:
     [[nodiscard]] double camber_of(double camber, double scaling) const;
     [[nodiscard]] double camber_scaling() const;
     [[nodiscard]] double friction_scaling(double scaling, double sliding_speed) const;
+};
+
+/// A lateral force of which only the features are known: its slope, its peak and what is left far beyond the peak. They make the
+/// Magic Formula's factors:                                                                             thesis (4)-(7)
+///     D = mu Fz,  C = 1 + (1 - (2/pi) asin(y_a/D)),  B = CP/(C D),
+///     E = (B x_m - tan(pi/(2 C))) / (B x_m - atan(B x_m)),  at most 1
+struct PeakCurve {
+    double friction = 1.0;                   ///< mu = D/Fz
+    double asymptote = 0.9;                  ///< y_a/D, of the force far beyond its peak, >= 0 and < 1
+    double peak_slip = 0.13089969389957470;  ///< rad, x_m > 0; 7.5 degrees: 7 to 8 of the thesis's tire (II.2)
+
+    /// C of a curve that has a peak.                                                                    thesis (6)
+    [[nodiscard]] double shape() const;
+    /// E, so that a curve of this B has its peak at `peak_slip`.                                        thesis (7)
+    /// @param B 1/rad, > 0  @returns at most 1
+    [[nodiscard]] double curvature(double B) const;
+    /// @param load N  @param CP N/rad, cornering stiffness  @param slip rad
+    /// @param grip factor on the friction; the peak is at so much less or more slip
+    [[nodiscard]] PureSlip force(double load, double CP, double slip, double grip = 1.0) const;
 };
 
 }  // namespace tiretherm::physics

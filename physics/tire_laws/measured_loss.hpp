@@ -10,25 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "physics/signals.hpp"
+#include "physics/tire_laws/grid_table.hpp"
 #include "physics/tire_laws/rolling_resistance.hpp"
 
 namespace tiretherm::physics {
-
-/// Rolling resistance measured on a drum, over a full grid of what was varied; between its points every variable is
-/// interpolated straight (multilinear), beyond its ends held.
-struct ResistanceTable {
-    /// One variable of the grid.
-    struct Axis {
-        double Inputs::*input = nullptr;  ///< null: the bulk's mean temperature, K
-        std::vector<double> at;           ///< SI, ascending
-    };
-    std::vector<Axis> axes;
-    std::vector<double> force;  ///< N, the last axis fastest
-
-    /// @param bulk K, looked at only where the bulk's temperature is an axis
-    [[nodiscard]] double value(const Inputs& inputs, double bulk) const;
-};
 
 /// Coast-down coefficients with the units in which they were fitted, in SI.                              SAE J2452
 struct CoastdownFit {
@@ -45,7 +30,7 @@ inline constexpr int most_temperatures = 32;
 /// The total of the strain-energy loss as a machine measured it: P = F |V|, none without contact.
 struct MeasuredLoss {
     std::optional<CoastdownFit> coastdown{};  ///< otherwise the table
-    ResistanceTable table{};
+    GridTable table{};                        ///< of the force on a drum, N
     std::vector<double> bulk_temperatures{};  ///< K, the table's axis of that name; empty where it has none
 
     /// @param bulk K  @returns W >= 0

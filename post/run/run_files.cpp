@@ -9,6 +9,7 @@
 #include "post/laps/heat_by_lap.hpp"
 #include "post/report/file.hpp"
 #include "post/run/run_sections.hpp"
+#include "post/run/tire_laws.hpp"
 
 namespace tiretherm::post {
 
@@ -35,7 +36,7 @@ RunFiles::RunFiles(std::filesystem::path directory, const solver::Problem& probl
 
 std::vector<std::string> RunFiles::names_in(const std::filesystem::path& directory) {
     std::vector<std::string> names = page_names();
-    names.insert(names.end(), {"hot_spots.csv", laps_name, heat_name, inputs_name, "picture.png",
+    names.insert(names.end(), {"hot_spots.csv", laps_name, heat_name, inputs_name, stiffness_name, "picture.png",
                                "tread.png"});  // version 0.2: *.png
     for (const OutputFormat* format : output_formats()) {
         const std::vector<std::string> more = format->names_in(directory);
@@ -64,7 +65,10 @@ void RunFiles::write_hot_spots(const diagnosis::HotSpots& hot_spots) {
     write_hot_spots_csv(tables_.emplace_back(directory_ / "hot_spots.csv"), hot_spots, problem_);
 }
 
-void RunFiles::write_laps(const RunRecord& run) {
+void RunFiles::write_tables(const RunRecord& run) {
+    if (const std::string stiffness = cornering_stiffness_csv(run.problem); !stiffness.empty()) {
+        replace_file(tables_.emplace_back(directory_ / stiffness_name), stiffness);
+    }
     if (const std::string inputs = computed_inputs_csv({{run.run, &run.problem}}); !inputs.empty()) {
         replace_file(tables_.emplace_back(directory_ / inputs_name), inputs);
     }

@@ -39,8 +39,9 @@ public:
     /// The courses of the hot spots as hot_spots.csv. @errors FileError
     void write_hot_spots(const diagnosis::HotSpots& hot_spots);
 
-    /// laps.csv and heat.csv of a run with laps, inputs.csv of a tire of a car. @errors FileError
-    void write_laps(const RunRecord& run);
+    /// laps.csv and heat.csv of a run with laps, inputs.csv of a tire of a car, cornering_stiffness.csv where the case has
+    /// one. @errors FileError
+    void write_tables(const RunRecord& run);
 
     /// The files of the page, where they were not refused (--no-report). @errors FileError
     void write_page(const Report& report, const PageOrigin& origin);

@@ -19,6 +19,7 @@
 #include "post/report/number_text.hpp"
 #include "post/run/measured_values.hpp"
 #include "post/run/run_sections.hpp"
+#include "post/run/tire_laws.hpp"
 #include "solver/channel_unit.hpp"
 #include "solver/compared_ranges.hpp"
 
@@ -291,6 +292,10 @@ Report run_report(const RunRecord& run) {
     page.verdict = verdict_of(run, extrapolations);
     if (!report.status.ok()) {
         page.verdict.insert(page.verdict.begin(), "ended early: " + report.status.message);
+    }
+    page.add(tire_laws_section(run.problem));
+    if (Value tire = tire_laws_data(run.problem); tire.held().index() != 0) {
+        page.data.set("tire", std::move(tire));
     }
     page.appendix.push_back(citations_section(run.problem));
     page.add(cost_section(run));

@@ -46,7 +46,11 @@ SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
       flow_(static_cast<std::size_t>(system.size())),
       means_(problem.mesh.regions.size()) {
     const std::span<const physics::ActiveEffect> effects = system.effects();
-    for (std::size_t c = 0; c < chains_.size(); ++c) {
+    const int surface = problem.mesh.find_region("surface");
+    if (problem.handling.grip && surface >= 0) {
+        chains_.emplace_back().where = problem.mesh.regions[static_cast<std::size_t>(surface)].mean;
+    }
+    for (std::size_t c = 0; c < problem.channels.size(); ++c) {
         Chain& chain = chains_[c];
         const Channel& channel = problem.channels[c];
         chain.where = channel.where;
@@ -76,7 +80,8 @@ SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
 /// What is followed along a step: the temperature at the channel's place, or what its quantity names instead.
 double SensorOutputs::followed_quantity(std::size_t channel, std::span<const double> T,
                                         std::span<const double> watts) const {
-    const auto follow = description_of(problem_->channels[channel].quantity).follow;
+    const bool is_channel = channel < problem_->channels.size();
+    const auto follow = is_channel ? description_of(problem_->channels[channel].quantity).follow : nullptr;
     const mesh::Functional& where = chains_[channel].where;
     return follow == nullptr ? where(T)
                              : follow({.system = *system_,
@@ -88,19 +93,21 @@ double SensorOutputs::followed_quantity(std::size_t channel, std::span<const dou
 }
 
 /// What the channel reads, from what is followed and from the inputs of the moment.
-double SensorOutputs::quantity(std::size_t channel, double followed, const physics::Inputs& logged) const {
+double SensorOutputs::quantity(std::size_t channel, double t, double followed, const physics::Inputs& logged) const {
     const QuantityDescription& quantity = description_of(problem_->channels[channel].quantity);
     if (quantity.evaluate == nullptr) {
         return followed;
     }
-    return quantity.evaluate({.problem = *problem_,
-                              .system = *system_,
-                              .quantity = quantity.quantity,
-                              .followed = followed,
-                              .inputs = system_->transformed(logged),
-                              .logged = logged,
-                              .gas_start = gas_start_,
-                              .coefficients = coefficients_});
+    return quantity.evaluate(
+        {.problem = *problem_,
+         .system = *system_,
+         .quantity = quantity.quantity,
+         .followed = followed,
+         .inputs = system_->transformed(logged),
+         .logged = logged,
+         .gas_start = gas_start_,
+         .coefficients = coefficients_,
+         .surface = chains_.size() > problem_->channels.size() ? delayed(chains_.back(), t) : 0.0});
 }
 
 void SensorOutputs::begin(double t, std::span<const double> T, std::span<const double> watts,
@@ -177,13 +184,13 @@ double SensorOutputs::delayed(const Chain& chain, double t) {
 }
 
 void SensorOutputs::at(double t, const physics::Inputs& logged, std::span<double> out) const {
-    for (std::size_t c = 0; c < chains_.size(); ++c) {
-        out[c] = shown(c, delayed(chains_[c], t), logged);
+    for (std::size_t c = 0; c < problem_->channels.size(); ++c) {
+        out[c] = shown(c, t, delayed(chains_[c], t), logged);
     }
 }
 
-double SensorOutputs::shown(std::size_t channel, double followed, const physics::Inputs& logged) const {
-    double value = quantity(channel, followed, logged);
+double SensorOutputs::shown(std::size_t channel, double t, double followed, const physics::Inputs& logged) const {
+    double value = quantity(channel, t, followed, logged);
     for (const AppliedModel& model : chains_[channel].after) {
         value = model.read(*model.active, model.position, value, logged);
     }
@@ -192,7 +199,7 @@ double SensorOutputs::shown(std::size_t channel, double followed, const physics:
 
 double SensorOutputs::slope(std::size_t channel, double t, const physics::Inputs& logged) const {
     const double followed = delayed(chains_[channel], t);
-    return (shown(channel, followed + difference, logged) - shown(channel, followed - difference, logged)) /
+    return (shown(channel, t, followed + difference, logged) - shown(channel, t, followed - difference, logged)) /
            (2.0 * difference);
 }
 

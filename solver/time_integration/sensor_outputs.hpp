@@ -37,7 +37,7 @@ public:
     /// @param stages of the step, in which the moment lies or after which it comes  @param t s, on the sensor's clock
     [[nodiscard]] Form form(std::size_t channel, std::span<const Stage> stages, std::span<const physics::Inputs> inputs,
                             double t) const;
-    /// Slope of what a channel shows with what it follows. @param t s, @param logged inputs of that moment
+    /// Slope of what a channel shows with what it follows; of a force that follows the surface as well, at a given surface. @param t s, @param logged inputs of that moment
     [[nodiscard]] double slope(std::size_t channel, double t, const physics::Inputs& logged) const;
     [[nodiscard]] double delay(std::size_t channel) const { return chains_[channel].delay; }  ///< s
     [[nodiscard]] const mesh::Functional& place(std::size_t channel) const { return chains_[channel].where; }
@@ -75,17 +75,17 @@ private:
 
     [[nodiscard]] double followed_quantity(std::size_t channel, std::span<const double> T,
                                            std::span<const double> watts) const;
-    [[nodiscard]] double quantity(std::size_t channel, double followed, const physics::Inputs& logged) const;
+    [[nodiscard]] double quantity(std::size_t channel, double t, double followed, const physics::Inputs& logged) const;
     [[nodiscard]] static double followed(const Chain& chain, const Piece& piece, double t);
     /// After the end of the last piece, as it is changing there.
     [[nodiscard]] static double ahead(const Chain& chain, const Piece& piece, double t);
-    [[nodiscard]] double shown(std::size_t channel, double followed, const physics::Inputs& logged) const;
+    [[nodiscard]] double shown(std::size_t channel, double t, double followed, const physics::Inputs& logged) const;
     [[nodiscard]] static double delayed(const Chain& chain, double t);
 
     const Problem* problem_;
     const System* system_;
-    std::vector<Chain> chains_;
-    double gas_start_ = 0.0;                    ///< K
+    std::vector<Chain> chains_;  ///< [n_channels]; behind them the mean of the surface, where friction follows it
+    double gas_start_ = 0.0;     ///< K
     mutable std::vector<double> coefficients_;  ///< of all effects at the inputs of a moment
     mutable std::vector<double> flow_;          ///< [n_nodes] and
     mutable std::vector<double> means_;         ///< [n_regions] for quantities to work in

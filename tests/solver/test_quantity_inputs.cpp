@@ -24,6 +24,7 @@ TEST(QuantityInputs, AreThoseThatChangeTheQuantity) {
     law.version = physics::MagicFormulaVersion::mf61, law.nominal_pressure = 2.2e5;
     law.pPx1 = -0.2, law.pPx3 = 0.1, law.pPy1 = 0.3, law.pPy3 = 0.1;
     problem.handling.magic_formula = law;
+    problem.handling.grip = physics::Grip{.hysteresis = 1.0};
     Problem tuned = problem;
     tuned.handling.replaces_stiffness = true;
     System system(problem);
@@ -54,7 +55,8 @@ TEST(QuantityInputs, AreThoseThatChangeTheQuantity) {
                                       .inputs = inputs,
                                       .logged = inputs,
                                       .gas_start = 296.15,
-                                      .coefficients = coefficients});
+                                      .coefficients = coefficients,
+                                      .surface = 320.0});
         };
         for (const physics::Signal& signal : physics::signals()) {
             physics::Inputs moved = base;

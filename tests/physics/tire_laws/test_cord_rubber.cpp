@@ -3,6 +3,7 @@
 
 #include "physics/tire_laws/cord_rubber.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -85,6 +86,42 @@ TEST(CordRubber, ShearModulusRunsFromRubberToCord) {
         EXPECT_GT(lamina(full).G12, last);
         last = lamina(full).G12;
     }
+}
+
+TEST(Laminate, OfOnePlyIsTheThesiss56) {
+    // One ply is free to shear, so that its compliances turn as (56) has them, with G_xy by erratum E11.
+    const Lamina ply = lamina(belt);
+    for (const double degrees : {0.0, 12.0, 24.0, 45.0, 67.0, 90.0}) {
+        const double angle = degrees * pi / 180.0;
+        const Sheet one = laminate(ply, angle, 1);
+        EXPECT_NEAR(one.E_x / ply.modulus_at(angle), 1.0, 1e-7) << degrees;
+        EXPECT_NEAR(one.E_y / ply.modulus_at(angle + pi / 2.0), 1.0, 1e-7) << degrees;
+        EXPECT_NEAR(one.G_xy / ply.shear_modulus_at(angle), 1.0, 1e-7) << degrees;
+        const double s2 = std::sin(angle) * std::sin(angle);
+        const double c2 = 1.0 - s2;
+        const double nu = one.E_x * (ply.nu12 / ply.E1 * (c2 * c2 + s2 * s2) -
+                                     (1.0 / ply.E1 + 1.0 / ply.E2 - 1.0 / ply.G12) * s2 * c2);
+        EXPECT_NEAR(one.nu_xy, nu, 1e-6 * std::abs(nu)) << degrees;
+    }
+}
+
+TEST(Laminate, APairHoldsItsPliesWhereCordsDoNotStretch) {
+    // Cords without end stiff, E1 >> E2: the pair can only turn its cords. A pull along x shortens y by
+    // nu = cot^2(psi) (the cords' length is kept: c^2 eps_x + s^2 eps_y = 0), shears the plies along their cords by
+    // gamma12 = -2 s c (eps_x - eps_y) and stretches them across by eps2 = eps_x + eps_y. Energy per volume:
+    //     E_x eps_x^2 = G12 gamma12^2 + E2 eps2^2,  eps_y = -eps_x cot^2:
+    //     E_x = G12 (2 s c (1 + cot^2))^2 + E2 (1 - cot^2)^2 = 4 G12 cot^2 + E2 (1 - cot^2)^2
+    // At 24 degrees cot^2 = 5.04468; G12 = 5.5553 MPa, E2 = 20 MPa: 112.10 + 327.19 = 439.29 MPa; of one ply 38 MPa
+    Lamina ply = lamina(belt);
+    ply.E1 *= 1e4;  // 5e14 Pa
+    const Sheet pair = laminate(ply, 24.0 * pi / 180.0, 2);
+    EXPECT_NEAR(pair.nu_xy, 5.04468, 1e-3);
+    EXPECT_NEAR(pair.E_x, 439.29e6, 0.05e6);
+    EXPECT_LT(ply.modulus_at(24.0 * pi / 180.0), 0.1 * pair.E_x);
+    // Ten plies at +-psi are five pairs; at 45 degrees x and y are alike.
+    EXPECT_NEAR(laminate(ply, 24.0 * pi / 180.0, 10).E_x / pair.E_x, 1.0, 1e-12);
+    const Sheet even = laminate(lamina(belt), pi / 4.0, 2);
+    EXPECT_NEAR(even.E_x / even.E_y, 1.0, 1e-12);
 }
 
 }  // namespace tiretherm::physics

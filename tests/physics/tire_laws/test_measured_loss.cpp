@@ -12,10 +12,10 @@ namespace tiretherm::physics {
 namespace {
 
 /// Force over speed (10, 30 m/s) and load (2000, 6000 N): 20, 60; 28, 84 N.
-ResistanceTable drum() {
+GridTable drum() {
     return {
         .axes = {{.input = &Inputs::speed, .at = {10.0, 30.0}}, {.input = &Inputs::vertical_load, .at = {2e3, 6e3}}},
-        .force = {20.0, 60.0, 28.0, 84.0}};
+        .values = {20.0, 60.0, 28.0, 84.0}};
 }
 
 Inputs at(double speed, double load) { return {.speed = speed, .vertical_load = load}; }
@@ -24,19 +24,19 @@ Inputs at(double speed, double load) { return {.speed = speed, .vertical_load = 
 
 // At 15 m/s and 5000 N: a quarter of the way in speed, three quarters in load. 10 m/s: 20 + 0.75 40 = 50; 30 m/s:
 // 28 + 0.75 56 = 70; a quarter between them: 55 N.
-TEST(ResistanceTable, IsInterpolatedAsByHand) {
+TEST(GridTable, IsInterpolatedAsByHand) {
     EXPECT_NEAR(drum().value(at(15.0, 5000.0), 0.0), 55.0, 1e-12);
     EXPECT_NEAR(drum().value(at(10.0, 2000.0), 0.0), 20.0, 1e-12);
     EXPECT_NEAR(drum().value(at(30.0, 6000.0), 0.0), 84.0, 1e-12);
 }
 
-TEST(ResistanceTable, IsHeldBeyondItsEnds) {
+TEST(GridTable, IsHeldBeyondItsEnds) {
     EXPECT_NEAR(drum().value(at(50.0, 9000.0), 0.0), 84.0, 1e-12);
     EXPECT_NEAR(drum().value(at(0.0, 0.0), 0.0), 20.0, 1e-12);
 }
 
-TEST(ResistanceTable, KnowsTheBulksTemperature) {
-    ResistanceTable table{.axes = {{.input = nullptr, .at = {300.0, 340.0}}}, .force = {60.0, 40.0}};
+TEST(GridTable, KnowsTheBulksTemperature) {
+    GridTable table{.axes = {{.input = nullptr, .at = {300.0, 340.0}}}, .values = {60.0, 40.0}};
     EXPECT_NEAR(table.value({}, 310.0), 55.0, 1e-12);
 }
 
@@ -80,7 +80,7 @@ TEST(MeasuredLoss, FollowsTheBulksTemperatureWithItsSlope) {
     Bench bench = two_nodes();
     ActiveEffect loss = activate(in_frames(*find_effect("strain_energy_loss")), bench.mesh);
     loss.total = std::make_shared<const MeasuredLoss>(
-        MeasuredLoss{.table = {.axes = {{.input = nullptr, .at = {300.0, 340.0}}}, .force = {60.0, 40.0}},
+        MeasuredLoss{.table = {.axes = {{.input = nullptr, .at = {300.0, 340.0}}}, .values = {60.0, 40.0}},
                      .bulk_temperatures = {300.0, 340.0}});
     bench.place(loss);
     const std::vector<double> T{305.0, 310.0};
