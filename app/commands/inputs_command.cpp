@@ -104,8 +104,9 @@ constexpr std::string_view page_head =
     "vehicle: outside, or\noutboard, is to its right. The arc length along the meridian counts from the centre plane, "
     "negative outboard.\n\n"
     "**Left and right.** Heat does not tell the sides of a vehicle apart: camber is that of the vehicle, and slip and "
-    "forces count by their\nmagnitude. Only sensors that read the Magic Formula do. For a tire on the left turn the "
-    "signs of `slip_angle` and of the forces read\nacross: it is then the tire on the right in a mirror.\n";
+    "forces count by their\nmagnitude. Only `pressure_across_tread`, where the lateral force loads one shoulder, and "
+    "sensors that read the Magic Formula do. For a\ntire on the left turn the signs of `slip_angle` and of the forces "
+    "read across: it is then the tire on the right in a mirror.\n";
 
 std::string range_text(const input::VehicleSignal& signal) {
     return signal.unit.empty() ? "any unit" : fmt::format("{:g} to {:g} {}", signal.low, signal.high, signal.unit);

@@ -167,6 +167,45 @@ TEST(AcrossTread, KeepsEveryTotalAndIsNeverNegative) {
     }
 }
 
+// A footprint of the user's own, twice as loaded inside as on the mean and not at all outside, keeps its total of 1 under any
+// pressure, and in proportion as by the root; where the law leaves nothing of it, it stays as the user gave it.
+TEST(AcrossTread, KeepsTheTotalOfAProfile) {
+    const Bench bench = sliding_bench();
+    ActiveEffect friction = activate(*find_effect("sliding_friction"), bench.mesh);
+    friction.tables[0] = Curve::table({-0.1125, 0.1125}, {0.0, 2.0});
+    bench.place(friction);
+    for (const FollowsPressure follows : {FollowsPressure::in_proportion, FollowsPressure::by_root}) {
+        for (const double skew : {-3.0, 0.0, 0.5, 3.0, 30.0}) {
+            for (const double crown : {-3.0, 0.0, 2.0}) {
+                const AcrossTread across(friction, skew, crown, follows);
+                double sum = 0.0;
+                for (std::size_t i = 0; i < friction.nodes.size(); ++i) {
+                    EXPECT_GE(across.weight(i), 0.0);
+                    sum += across.weight(i);
+                }
+                EXPECT_NEAR(sum, 1.0, 1e-14) << skew << ' ' << crown;
+            }
+        }
+    }
+    friction.weights.assign(friction.weights.size(), 0.0);
+    friction.weights[innermost] = 1.0;
+    EXPECT_EQ(AcrossTread(friction, 30.0, 0.0).weight(innermost), 1.0);
+}
+
+// Two half-spaces that meet exchange with the root of the time: where the pressure is 1.36 and 0.88 of the mean, the rolling
+// contact takes as the roots of the two, 1.2431 to one.
+TEST(AcrossTread, ARollingContactExchangesWithTheRootOfThePressure) {
+    const Bench bench = sliding_bench();
+    Whole even(bench, {{"resolved_contact"}});
+    Whole loaded(bench, {{"resolved_contact"}, law(4.0, 0.8, 1.0)});
+    const Inputs in = in_bend(2500.0, -0.05, 2.3e5, 5000.0);
+    even.ask(in);
+    loaded.ask(in);
+    const auto& faces = bench.mesh.patches[at(bench.mesh.find_patch("outside"))].faces;
+    const auto ratio = [&](std::size_t i) { return loaded.flow(faces[i].node) / even.flow(faces[i].node); };
+    EXPECT_NEAR(ratio(outermost) / ratio(middle), std::sqrt(1.36 / 0.88), 1e-12);
+}
+
 // A tread of one column has one place, and two nodes have one surface: the same heat to the last digits whatever is asked for.
 TEST(AcrossTread, ChangesNothingOnOneColumnAndOnTwoNodes) {
     Bench column = section();
