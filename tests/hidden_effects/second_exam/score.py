@@ -1,0 +1,227 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Diagnoses sets of dirty data with the program and compares its answers with theirs.
+
+    score.py --program tiretherm --benches cases/practice --sets FOLDER --first 0 --last 23 --out SCORES
+
+Each set: `diagnose` of its base, `identify` of the base with correlated and with white noise, `compare` of both and of the extended
+case on the run that was kept back. SCORES/scores.json keeps what was measured, so that a call goes on where one was interrupted;
+what was found is judged anew by each call. A * stands for a true cause that was found by id, ~ by its place or in words.
+"""
+import argparse
+import json
+import pathlib
+import re
+import resource
+import statistics
+import subprocess
+
+CPU_LIMIT = 200                                  # s of a set's diagnosis, then it is ended and counted
+WORSE = 1.02                                     # a prediction is worse from this ratio of rms on
+VISIBLE = 0.1                                    # K, below which nobody is asked to find a cause
+TIMING_IDS = {"sensor_lag", "clock_delay", "input_delay", "clock_rate"}
+
+
+def limit_cpu():
+    """In the child: no more than CPU_LIMIT."""
+    resource.setrlimit(resource.RLIMIT_CPU, (CPU_LIMIT, CPU_LIMIT + 5))
+
+
+def run_program(arguments, log):
+    """Runs the program; returns exit code, CPU seconds and what it printed. What goes wrong is written to `log`."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run([str(word) for word in arguments], capture_output=True, text=True, preexec_fn=limit_cpu, check=False)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode != 0:
+        log.write(f"exit {done.returncode}: {' '.join(str(word) for word in arguments)}\n{done.stderr[:2000]}\n")
+    return done.returncode, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout
+
+
+def write_bases(folder, bench, keep_candidates):
+    """base.toml, the bench as it is but free to name every effect, and base_white.toml with white noise."""
+    unset = "" if keep_candidates else 'unset = ["diagnose"]\n'
+    (folder / "base.toml").write_text(f'include = ["{bench.resolve()}"]\n{unset}')
+    (folder / "base_white.toml").write_text('include = ["base.toml"]\n\n[identify]\nnoise = "white"\n')
+
+
+def kept_rms(program, case, kept_back, out, log):
+    """Rms [K] of all channels together on the run that was kept back, or None."""
+    if not case.exists():
+        return None
+    code, _, text = run_program([program, "compare", case, "--data", kept_back, "--out", out, "--json", "--no-report"], log)
+    if code != 0:
+        return None
+    channels = json.loads(text)["channels"]
+    samples = sum(channel["samples"] for channel in channels)
+    return (sum(channel["samples"] * channel["rmse"] ** 2 for channel in channels) / samples) ** 0.5
+
+
+def spoken_text(found):
+    """All sentences of a diagnosis, in one."""
+    parts = [found.get("reason"), found.get("remarks"), found.get("findings"), found.get("warnings")]
+    parts += [run.get("reason") for run in found.get("runs", [])]
+    return json.dumps(parts)
+
+
+def named_causes(found):
+    """(id, channel or None, entry or None) of what stands in the set."""
+    entries = [cause for cause in found.get("causes", []) if cause.get("in_set")]
+    named = [(cause["id"], cause.get("channel"), cause) for cause in entries]
+    known = {cause["id"] for cause in entries}
+    named += [(word, None, None) for member in found.get("set", []) for word in member if word not in known]
+    return named
+
+
+def matches(cause, found):
+    """How a true cause stands in the answer: "id", "unknown", "words" or "" for not at all."""
+    for name, channel, _ in named_causes(found):
+        places = cause["channels"]
+        if name in cause["ids"] and (not places or channel is None or any(place in str(channel) for place in places)):
+            return "id"
+    unknown = found.get("unknown")
+    if found["verdict"] == "unknown" and unknown and str(unknown.get("place")) in cause["unknown"]:
+        return "unknown"
+    if any(re.search(word, spoken_text(found), re.IGNORECASE) for word in cause["words"]):
+        return "words"
+    return ""
+
+
+def interval_hits(answer, found):
+    """Two lists of truths held by their 95 % interval: of film and loss, of the parameters of named causes."""
+    free, named = [], []
+    true = {"air_convection.lambda_h": answer["true"]["film_scale"],
+            "strain_energy_loss.tan_delta_a": answer["true"]["loss_scale"] * 2.14e15}
+    for number in found.get("free_numbers", []):
+        if number["name"] in true and number.get("low") is not None:
+            free.append(number["low"] <= true[number["name"]] <= number["high"])
+    for cause in answer["causes"]:
+        for name, channel, entry in named_causes(found):
+            for key, value in (entry or {}).get("parameters", {}).items():
+                right_place = not cause["channels"] or channel is None or any(place in str(channel) for place in cause["channels"])
+                if f"{name}.{key}" in cause["numbers"] and right_place and value.get("low") is not None:
+                    scale = {"mm": 1e-3, "1/h": 1.0}.get(value["unit"], 1.0)
+                    named.append(value["low"] * scale <= cause["numbers"][f"{name}.{key}"] <= value["high"] * scale)
+    return free, named
+
+
+def measure_set(options, number, log):
+    """Runs the program on one set; returns CPU seconds, exit code and rms on the kept-back run [K]."""
+    data = options.sets.resolve() / f"set{number:03d}"
+    answer = json.loads((data / "answer.json").read_text())
+    folder = (options.out / f"set{number:03d}").resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    write_bases(folder, options.benches / f"{answer['base']}_bench.toml", options.keep_candidates)
+    runs = [word for index in range(answer["runs"]) for word in ("--data", data / f"run{index + 1}.csv")]
+    row = dict(number=number)
+    row["exit"], row["cpu"], _ = run_program(
+        [options.program, "diagnose", folder / "base.toml", *runs, "--out", folder / "diagnosis", "--json", "--fresh"], log)
+    for name, case in (("rms_base", "base.toml"), ("rms_white", "base_white.toml")):
+        out = folder / name
+        run_program([options.program, "identify", folder / case, *runs, "--out", out, "--no-report", "--quiet", "--fresh"], log)
+        row[name] = kept_rms(options.program, out / "identified.toml", data / "kept_back.csv", folder / f"{name}_kept", log)
+    extended = folder / "diagnosis" / "extended.toml"
+    row["rms_extended"] = kept_rms(options.program, extended, data / "kept_back.csv", folder / "extended_kept", log)
+    return row
+
+
+def judge_set(options, measured):
+    """What was measured of a set with what its diagnosis says beside the truth."""
+    name = f"set{measured['number']:03d}"
+    answer = json.loads((options.sets / name / "answer.json").read_text())
+    page = options.out / name / "diagnosis" / "diagnosis.json"
+    row = {**measured, **{key: answer[key] for key in ("nothing_hidden", "base", "kind", "runs")}}
+    row["causes"] = [(cause["name"], round(cause["size"], 2), cause["timing"]) for cause in answer["causes"]]
+    row["answered"] = row["exit"] == 0 and page.exists()
+    if not row["answered"]:
+        return {**row, "verdict": "none", "said": "", "matches": ["" for _ in row["causes"]], "free": [], "named": []}
+    found = json.loads(page.read_text())
+    unknown = found.get("unknown") or {}
+    said = " | ".join("+".join(member) for member in found.get("set", []))
+    row["free"], row["named"] = interval_hits(answer, found)
+    row.update(verdict=found["verdict"], confirmed=bool((found.get("gain") or {}).get("confirmed")),
+               said=said or (f"{unknown.get('place')} after {unknown.get('follows')}" if unknown else ""),
+               matches=[matches(cause, found) for cause in answer["causes"]],
+               timing=bool(TIMING_IDS & {name for name, _, _ in named_causes(found)}),
+               implausible=any(entry and entry.get("implausible") for _, _, entry in named_causes(found)))
+    return row
+
+
+def ratio(row):
+    """Rms of the extended case over that of the better fitted base, on the kept-back run; None where there is none."""
+    bases = [value for value in (row.get("rms_base"), row.get("rms_white")) if value]
+    return row["rms_extended"] / min(bases) if row.get("rms_extended") and bases else None
+
+
+def line(row):
+    """One line of the table."""
+    best = ratio(row)
+    true = ", ".join(f"{name} {size:.2f}{'*' if hit == 'id' else '~' if hit else ''}" for (name, size, _), hit in zip(row["causes"], row["matches"]))
+    kept = f"{min(v for v in (row['rms_base'], row['rms_white']) if v):.2f}" if row.get("rms_base") or row.get("rms_white") else "-"
+    return (f"{row['number']:3d} {row['base'][:3]} {row['kind'][:5]:5s} {row['runs']} {row['verdict'][:11]:11s}"
+            f"{'C' if row.get('confirmed') else ' '} {kept:>6s} {f'{best:.2f}' if best else '-':>5s} {row['cpu']:6.1f} s  [{true or 'nothing'}]  {row['said']}")
+
+
+def share(hits):
+    """Text "n of m"."""
+    hits = list(hits)
+    return f"{sum(bool(hit) for hit in hits)} of {len(hits)}"
+
+
+def summary(rows):
+    """The figures of all sets, a line each."""
+    hidden = [row for row in rows if not row["nothing_hidden"] and row["answered"]]
+    nulls = [row for row in rows if row["nothing_hidden"] and row["answered"]]
+    visible = [row for row in hidden if row["causes"][0][1] >= VISIBLE]
+    timed = [row for row in visible if row["causes"][0][2]]
+    confident = [row for row in rows if (row["verdict"] == "named" or row.get("confirmed")) and ratio(row)]
+    extended = [row for row in rows if ratio(row)]
+    removed = [1 - (ratio(row) or 1.0) for row in hidden]
+    cpu = [row["cpu"] for row in rows]
+    both = [row for row in rows if row["rms_base"] and row["rms_white"]]
+    return "\n".join([
+        f"sets                                              {len(rows)}, ended at {CPU_LIMIT} s or failed: {sum(not row['answered'] for row in rows)}",
+        f"largest true cause in the set, by id              {share(row['matches'][0] == 'id' for row in hidden)}",
+        f"    or unknown at its place, or in words          {share(row['matches'][0] for row in hidden)}",
+        f"    of those whose largest has {VISIBLE} K and more      {share(row['matches'][0] for row in visible)}",
+        f"timing, where largest and visible, named          {share(row['timing'] for row in timed)}",
+        f"confident and worse by > 2 % on the kept-back run {share(ratio(row) > WORSE for row in confident)}",
+        f"extended worse by > 2 %, any verdict              {share(ratio(row) > WORSE for row in extended)}",
+        f"false alarm on nothing hidden                     {share(row['verdict'] in ('named', 'confounded', 'unknown', 'partial') for row in nulls)}"
+        f", cannot_tell {sum(row['verdict'] == 'cannot_tell' for row in nulls)}",
+        f"95 % interval of film and loss holds the truth    {share(hit for row in rows for hit in row['free'])}",
+        f"    on nothing hidden                             {share(hit for row in nulls for hit in row['free'])}",
+        f"95 % interval of a named number holds the truth   {share(hit for row in rows for hit in row['named'])}",
+        f"a size in the set that is called implausible      {share(row.get('implausible') for row in hidden)}",
+        f"kept-back error removed, median                   {100 * statistics.median(removed or [0]):.0f} %"
+        f" (layers {100 * statistics.median([1 - (ratio(r) or 1) for r in hidden if r['base'] == 'layers'] or [0]):.0f},"
+        f" two nodes {100 * statistics.median([1 - (ratio(r) or 1) for r in hidden if r['base'] != 'layers'] or [0]):.0f})",
+        f"a white-noise base predicts better by > 2 %       {share(row['rms_base'] > WORSE * row['rms_white'] for row in both)}",
+        f"CPU median / largest                              {statistics.median(cpu):.1f} / {max(cpu):.1f} s"])
+
+
+def main():
+    """Command line."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--program", type=pathlib.Path, required=True, help="tiretherm")
+    parser.add_argument("--benches", type=pathlib.Path, required=True, help="folder with layers_bench.toml and two_node_bench.toml")
+    parser.add_argument("--sets", type=pathlib.Path, required=True, help="folder of the sets")
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="where results go")
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--last", type=int, default=23)
+    parser.add_argument("--keep-candidates", action="store_true", help="only the candidates that the bench names")
+    options = parser.parse_args()
+    options.out.mkdir(parents=True, exist_ok=True)
+    kept = options.out / "scores.json"
+    rows = {row["number"]: row for row in json.loads(kept.read_text())} if kept.exists() else {}
+    numbers = range(options.first, options.last + 1)
+    with (options.out / "errors.log").open("a") as log:
+        for number in numbers:
+            if number not in rows:
+                rows[number] = measure_set(options, number, log)
+                kept.write_text(json.dumps(list(rows.values()), indent=1) + "\n")
+            print(line(judge_set(options, rows[number])), flush=True)
+    print(summary([judge_set(options, rows[number]) for number in numbers]))
+
+
+if __name__ == "__main__":
+    main()
