@@ -207,7 +207,7 @@ TEST(Inputs, OneNamesTheEffectsAndSensorsThatReadIt) {
     EXPECT_EQ(camber["sensors"],
               Json::array({"cornering_stiffness", "bulk_temperature_factor", "lateral_force", "reference_lateral_force",
                            "longitudinal_force", "contact_pressure_outside", "contact_pressure_middle",
-                           "contact_pressure_inside"}));
+                           "contact_pressure_inside", "peak_lateral_force"}));
     EXPECT_NE(call("inputs camber")
                   .out.find("Used where given by the effects: input_delay, camber_asymmetry, pressure_across_tread\n"),
               std::string::npos);
