@@ -77,8 +77,6 @@ double shown_stiffness(const solver::Problem& problem, double load, double T) {
     return problem.handling.cornering_stiffness(problem.tire, at_load(problem, load), T);
 }
 
-std::string bulk_text(double T) { return fmt::format("{:.4g} degC", celsius(T)); }
-
 void add_law_charts(Section& section, const solver::Problem& problem) {
     const std::vector<double> loads = fine_loads(shown_loads(problem).back());
     const std::vector<double> shown_x = scaled(loads, 1e-3);
@@ -109,11 +107,12 @@ void add_stiffness_chart(Section& section, const solver::Problem& problem) {
     const std::vector<double> shown_x = scaled(loads, 1e-3);
     LineChart chart("load", "kN", 0.0, shown_x.back());
     chart.add_panel("cornering stiffness", "kN/rad");
+    const auto at = [](double T) { return fmt::format("{:.4g} °C", celsius(T)); };
     for (const double T : map.temperatures) {
         std::vector<double> values;
         std::ranges::transform(loads, std::back_inserter(values),
                                [&](double load) { return 1e-3 * shown_stiffness(problem, load, T); });
-        chart.add_curve(bulk_text(T), bulk_text(T), CurveRole::line, shown_x, values);
+        chart.add_curve(at(T), at(T), CurveRole::line, shown_x, values);
     }
     std::map<double, std::array<std::vector<double>, 2>> measured;  // load and stiffness by temperature
     for (const physics::StiffnessPoint& point : problem.handling.measured.cornering_stiffness) {
@@ -122,7 +121,7 @@ void add_stiffness_chart(Section& section, const solver::Problem& problem) {
         y.push_back(1e-3 * point.stiffness);
     }
     for (const auto& [T, points] : measured) {
-        chart.add_curve("measured at " + bulk_text(T), bulk_text(T), CurveRole::points, points[0], points[1]);
+        chart.add_curve("measured at " + at(T), at(T), CurveRole::points, points[0], points[1]);
     }
     section.chart("Cornering stiffness against load",
                   "At temperatures of the bulk. As numbers: " + std::string(stiffness_name) + ".", chart.data());

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "post/report/report.hpp"
@@ -45,8 +44,6 @@ struct StiffnessMap {
 [[nodiscard]] StiffnessMap stiffness_map(const solver::Problem& problem);
 /// Without camber, at the pressure where the laws hold. @param load N  @param T K, of the bulk  @returns N/rad
 [[nodiscard]] double shown_stiffness(const solver::Problem& problem, double load, double T);
-/// "120 degC"
-[[nodiscard]] std::string bulk_text(double T);
 
 /// Footprint and radii against the load, with measured points.
 void add_law_charts(Section& section, const solver::Problem& problem);

@@ -56,7 +56,8 @@ DataTable stiffness_table(const solver::Problem& problem) {
     for (const double load : map.loads) {
         DataTable::Row row{page_only("load N", shown("{:.4g}", load))};
         for (const double T : map.temperatures) {
-            row.push_back(page_only(bulk_text(T), shown("{:.4g}", 1e-3 * shown_stiffness(problem, load, T))));
+            row.push_back(page_only(fmt::format("{:.4g} degC", celsius(T)),
+                                    shown("{:.4g}", 1e-3 * shown_stiffness(problem, load, T))));
         }
         table.add(std::move(row));
     }

@@ -8,6 +8,7 @@ import subprocess
 BENCH = "cases/practice/two_node_bench.toml --data cases/practice/puzzle1.csv --data cases/practice/puzzle2.csv"
 PAGES = {  # what the page shows: the call that writes it, behind those that it needs
     "run of two nodes": "run cases/two_node/4000N_100kmh.toml",
+    "run with laws of the tire": "run cases/handling/tire_laws.toml",
     "run of a section": "run cases/section/4000N_100kmh.toml",
     "run with hot spots": "run cases/durability/sae_j1561_step_speed.toml",
     "run of a car": "run cases/car/session.toml",
