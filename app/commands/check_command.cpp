@@ -160,7 +160,7 @@ std::string ply_text(const input::PlySummary& ply) {
     return text;
 }
 
-/// "at most 0.786 at -8 degC and 52 Hz"; of several compounds with their layers.
+/// "tan delta at most 0.786 at -8 degC and 52 Hz"; of several compounds with their layers.
 std::string loss_text(const std::vector<post::CompoundPeak>& compounds) {
     std::vector<std::string> parts;
     for (const post::CompoundPeak& compound : compounds) {
@@ -168,7 +168,7 @@ std::string loss_text(const std::vector<post::CompoundPeak>& compounds) {
                                     compounds.size() > 1 ? input::listed(compound.layers) + " " : "",
                                     compound.peak.value, celsius(compound.peak.temperature), compound.peak.frequency));
     }
-    return fmt::format("at most {}", fmt::join(parts, ", "));
+    return fmt::format("tan delta at most {}", fmt::join(parts, ", "));
 }
 
 void print_text(const Checked& checked) {
@@ -182,7 +182,7 @@ void print_text(const Checked& checked) {
         table.add({"plies", ply_text(ply)});
     }
     if (const auto compounds = post::compound_peaks(problem); !compounds.empty()) {
-        table.add({"tan delta", loss_text(compounds)});
+        table.add({"loss", loss_text(compounds)});
     }
     table.add({"effects", fmt::format("{}", fmt::join(effect_names(problem), ", "))});
     table.add({"channels", fmt::format("{}", fmt::join(channel_names(problem), ", "))});

@@ -118,7 +118,11 @@ TEST(Check, SoundCaseIsToldInAFewLines) {
               std::string::npos)
         << check.out;
     EXPECT_NE(check.out.find("channels  surface_temperature, bulk_temperature\n"), std::string::npos) << check.out;
+    // 0.785569 at the peak (Compound.KnowsTheLargestLossTangent)
+    EXPECT_NE(check.out.find("loss      tan delta at most 0.786 at -8 degC and 52 Hz\n"), std::string::npos)
+        << check.out;
     const Json json = Json::parse(call("check --json " + two_node).out);
+    EXPECT_NEAR(json["tire"]["loss_tangent_peaks"][0]["value"], 0.785569, 1e-6);
     EXPECT_EQ(json["errors"], Json::array());
     EXPECT_EQ(json["cells"], 2);
 }
