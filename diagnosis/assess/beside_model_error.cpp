@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/assess/extension.hpp"
@@ -39,6 +40,56 @@ std::optional<PredictedModel> predicted_on(ScoreTestData& score_data, const Rich
                          model.hypothesis.fit);
     score_data.count(model.out.simulations);
     return model.out.ok ? std::optional(std::move(model)) : std::nullopt;
+}
+
+/// A richer mesh is a cause, too: it is taken where with its own causes it predicts better than what was found with its. Alone it
+/// need not: a sensor that is late hides a surface that is too slow.
+void search_on(DiagnosisState& state, const RicherModel& richer) {
+    ScoreTestData& score_data = state.score_data;
+    PredictionSearch& search = *state.search;
+    const Observations& observations = *score_data.observations;
+    const auto gain_over = [&](const PredictedModel& before, const PredictedModel& after) {
+        return compare_predictions(before.out, after.out, observations, score_data.noise.channels, observations.stated);
+    };
+    score_data.say({.doing = Work::other_mesh, .of = richer.name});
+    const Covariance even = white_noise_of(observations.measured - search.best().hypothesis.fit.simulated,
+                                           observations.blocks, observations.channels.size());
+    const std::optional<PredictedModel> model = predicted_on(score_data, richer, even);
+    if (!model) {
+        return;
+    }
+    const PredictionGain gain = gain_over(search.base, *model);
+    if (is_improvement(gain)) {
+        state.other_meshes.push_back(richer.name);
+    } else {
+        search.largest_gain = std::max(search.largest_gain, gain.removed);
+    }
+    ScoreTestData on_it =
+        prepare_score_tests(*richer.experiment, observations,
+                            candidates_of(*richer.experiment, richer.experiment->candidates), score_data.progress);
+    if (!on_it.status.ok()) {
+        return;
+    }
+    on_it.simulations += score_data.simulations;
+    PredictionSearch there;
+    there.base = *model;
+    there.white = true;
+    search_by_prediction(on_it, there);
+    score_data.simulations = on_it.simulations;
+    there.gain = gain_over(search.base, there.best());
+    if (!is_improvement(gain_over(search.best(), there.best())) || !is_improvement(there.gain)) {
+        return;
+    }
+    if (there.accepted.empty()) {
+        there.accepted.push_back({.model = *model, .gain = gain});
+    }
+    there.base = search.base;
+    there.mesh = richer.name;
+    std::ranges::copy(search.remarks, std::back_inserter(there.remarks));
+    score_data = std::move(on_it);
+    search = std::move(there);
+    state.mesh = richer.name;
+    state.change = richer.change;
 }
 
 /// Whether what is left of every channel is no more than its sensor's noise.
@@ -95,53 +146,9 @@ void search_beside_model_error(DiagnosisState& state, const std::vector<RicherMo
     score_data.say({.doing = Work::left_out_data});
     state.search = choose_base(score_data);
     search_by_prediction(score_data, *state.search);
-    PredictionSearch& search = *state.search;
-
-    // A richer mesh is a cause, too: it is taken where it predicts better than the best cause on this one.
-    const Covariance even =
-        search.white ? search.base.noise : white_equivalent(score_data.noise, score_data.observations->blocks);
     for (const RicherModel& one : richer) {
-        score_data.say({.doing = Work::other_mesh, .of = one.name});
-        const std::optional<PredictedModel> model = predicted_on(score_data, one, even);
-        if (!model) {
-            continue;
-        }
-        const PredictionGain gain = compare_predictions(search.base.out, model->out, *score_data.observations,
-                                                        score_data.noise.channels, score_data.observations->stated);
-        if (gain.low <= 0.0 || gain.removed < 0.03) {
-            search.largest_gain = std::max(search.largest_gain, gain.removed);
-            continue;
-        }
-        state.other_meshes.push_back(one.name);
-        if (search.accepted.empty() || gain.removed > search.gain.removed) {
-            ScoreTestData on_it =
-                prepare_score_tests(*one.experiment, *score_data.observations,
-                                    candidates_of(*one.experiment, one.experiment->candidates), score_data.progress);
-            if (!on_it.status.ok()) {
-                continue;
-            }
-            PredictionSearch there;
-            there.base = *model;
-            there.white = true;
-            there.base.noise = white_equivalent(on_it.noise, on_it.observations->blocks);
-            on_it.simulations += score_data.simulations;
-            search_by_prediction(on_it, there);
-            const PredictedModel& best = there.best();
-            there.gain = compare_predictions(search.base.out, best.out, *score_data.observations,
-                                             score_data.noise.channels, score_data.observations->stated);
-            if (there.accepted.empty()) {
-                there.accepted.push_back({.model = *model, .gain = gain});
-            }
-            there.base = search.base;
-            there.mesh = one.name;
-            std::ranges::copy(search.remarks, std::back_inserter(there.remarks));
-            score_data = std::move(on_it);
-            search = std::move(there);
-            state.mesh = one.name;
-            state.change = one.change;
-        }
+        search_on(state, one);
     }
-
     take_what_was_found(state);
 }
 
@@ -178,10 +185,13 @@ void search_for_more(DiagnosisState& state, const std::vector<RicherModel>& rich
     }
     search_beside_model_error(state, richer);
     const bool found = !state.search->accepted.empty();
-    const bool better = found && (!state.mesh.empty() || best == nullptr || !of_best.ok ||
-                                  compare_predictions(of_best, state.search->best().out, *score_data.observations,
-                                                      score_data.noise.channels, score_data.observations->stated)
-                                          .removed > 0.0);
+    const auto gain = [&](const HeldOutErrors& before, const HeldOutErrors& after) {
+        return compare_predictions(before, after, *score_data.observations, score_data.noise.channels,
+                                   score_data.observations->stated);
+    };
+    const bool better = found && (!state.mesh.empty() || best == nullptr || !best->plausible || !of_best.ok ||
+                                  !is_improvement(gain(state.search->base.out, of_best)) ||
+                                  gain(of_best, state.search->best().out).removed > 0.0);
     if (better) {
         state.something_left = false;  // the search says itself what is left
         return;

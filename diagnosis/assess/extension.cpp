@@ -5,17 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
-
-#include "diagnosis/fit/held_out.hpp"
-#include "diagnosis/fit/linearised_model.hpp"
 
 namespace tiretherm::diagnosis {
 
 namespace {
-
-/// Standard deviations by which a cause that is added must differ from none.
-constexpr double least_sigma = 2.0;
 
 /// Values of a model's numbers by what they are, to be put together for another model.
 struct Values {
@@ -76,32 +71,45 @@ void fit_from(ScoreTestData& score_data, const Values& from, const Covariance& n
 constexpr int few_turns = 6;
 constexpr int many_turns = 12;
 
+/// Of the causes from `first` on one that ended where it changes nothing.
+std::optional<std::size_t> absent_one(const ScoreTestData& score_data, const FittedHypothesis& one, std::size_t first) {
+    for (std::size_t i = first; i < one.candidates.size(); ++i) {
+        if (one.fit.values[one.number_of(i)] == score_data.candidates[one.candidates[i]].absent) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
-FittedHypothesis extended(ScoreTestData& score_data, const FittedHypothesis& from, std::size_t candidate,
+FittedHypothesis extended(ScoreTestData& score_data, const FittedHypothesis& from,
+                          const std::vector<std::size_t>& added, const std::vector<double>& amplitudes,
                           const Covariance& noise) {
     std::vector<std::size_t> causes = from.candidates;
-    causes.push_back(candidate);
-    FittedHypothesis one = unfitted(score_data, causes);
     Values values = values_of(score_data, from);
-    const Candidate& added = score_data.candidates[candidate];
-    const Scores scores = scores_beside(score_data, from, noise);
-    const auto [low, high] = plausible_bounds(added);
-    values.cause.push_back(
-        std::clamp(added.absent + scores.amplitude(static_cast<Eigen::Index>(candidate)), low, high));
-    std::vector<double>& held = values.held.emplace_back();
-    for (const Candidate::Held& number : added.held) {
-        held.push_back(number.value);
+    for (std::size_t i = 0; i < added.size(); ++i) {
+        const Candidate& candidate = score_data.candidates[added[i]];
+        const auto [low, high] = plausible_bounds(candidate);
+        causes.push_back(added[i]);
+        values.cause.push_back(std::clamp(candidate.absent + amplitudes[i], low, high));
+        std::vector<double>& held = values.held.emplace_back();
+        for (const Candidate::Held& number : candidate.held) {
+            held.push_back(number.value);
+        }
     }
+    FittedHypothesis one = unfitted(score_data, causes);
     fit_from(score_data, values, noise, few_turns, one);
+    std::optional<std::size_t> absent;
+    while (one.sound && (absent = absent_one(score_data, one, from.candidates.size())) &&
+           one.candidates.size() > from.candidates.size() + 1) {
+        one = reduced(score_data, one, *absent, noise);
+    }
     if (!one.sound) {
         return one;
     }
     one.gain = 0.5 * (from.fit.cost - one.fit.cost);
-    const Eigen::VectorXd deviation = one.fit.deviations();
-    const Eigen::Index j = one.number_of(one.candidates.size() - 1);
-    one.admissible = !one.fit.at_bound[static_cast<std::size_t>(j)] &&
-                     std::abs(one.fit.values[j] - added.absent) > least_sigma * deviation[j];
+    one.admissible = !absent;
     for (std::size_t i = 0; i < one.candidates.size(); ++i) {
         one.admissible = one.admissible && !one.fit.at_bound[static_cast<std::size_t>(one.number_of(i))];
     }
@@ -137,59 +145,6 @@ FittedHypothesis as_it_stands(ScoreTestData& score_data, const Covariance& noise
     fit_from(score_data, values, noise, 0, one);
     one.admissible = one.sound;
     return one;
-}
-
-Covariance noise_beside(ScoreTestData& score_data, const FittedHypothesis& hypothesis) {
-    Fit fit(hypothesis.model, *score_data.observations);
-    fit.simulator().take_steps(score_data.steps);
-    fit.take_covariance(score_data.noise);
-    if (!fit.move_to(hypothesis.fit.values)) {
-        return score_data.noise;
-    }
-    fit.find_noise(score_data.principal_signatures(hypothesis.fit));
-    score_data.count(fit.simulator().simulations());
-    return fit.covariance();
-}
-
-Scores scores_beside(const ScoreTestData& score_data, const FittedHypothesis& hypothesis, const Covariance& noise) {
-    const Observations& observations = *score_data.observations;
-    const auto white = [&](Eigen::MatrixXd columns) {
-        whiten(observations.blocks, noise, columns);
-        return columns;
-    };
-    const Eigen::MatrixXd columns = white(score_data.signatures);
-    const Eigen::MatrixXd left = white(observations.measured - hypothesis.fit.simulated);
-    const NuisanceProjector projector(white(hypothesis.fit.raw), hypothesis.fit.precision);
-    return score(projector.project(columns), projector.project(left.col(0), hypothesis.fit.known),
-                 columns.colwise().norm());
-}
-
-double linear_gain(const ScoreTestData& score_data, const FittedHypothesis& before, const FittedHypothesis& after) {
-    const Observations& observations = *score_data.observations;
-    const auto predicted = [&](const FittedHypothesis& hypothesis) {
-        HeldOutErrors out{.left = Eigen::VectorXd::Constant(observations.measured.size(), std::nan(""))};
-        const LinearisedModel model = linearise(hypothesis.fit, observations);
-        for (const Fold& fold : folds_of(observations)) {
-            std::vector<bool> own(hypothesis.model.parameters.size(), false);
-            for (std::size_t j = 0; j < own.size(); ++j) {
-                own[j] = fold.alone_has(hypothesis.model.parameters[j]);
-            }
-            out.left(fold.test) = left_of(model, solve(model, fold.rest), fold.test, own);
-        }
-        return out;
-    };
-    const HeldOutErrors one = predicted(before);
-    const HeldOutErrors other = predicted(after);
-    double removed = 0.0;
-    double counted = 0.0;
-    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
-        const double square = one.mean_square(observations, c);
-        if (square > 0.0) {
-            removed += 1.0 - other.mean_square(observations, c) / square;
-            counted += 1.0;
-        }
-    }
-    return counted > 0.0 ? removed / counted : 0.0;
 }
 
 }  // namespace tiretherm::diagnosis

@@ -114,6 +114,9 @@ void measure_gain(DiagnosisState& found, Diagnosis& into) {
             }
             into.gain.confirmed = proven && into.gain.log_e >= confirming && plain.in_every_fold &&
                                   plain.worst <= 1.0 + 0.02 && into.gain.low > least_confirmed;
+            if (!proven && plain.removed <= 0.0) {
+                into.extended_model.reset();  // it would predict no better than the case
+            }
             if (!proven && (found.verdict == Verdict::named || found.verdict == Verdict::confounded)) {
                 into.verdict = found.verdict = Verdict::partial;
             }

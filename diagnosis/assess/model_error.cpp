@@ -6,6 +6,7 @@
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/fit/block_deviations.hpp"
+#include "diagnosis/noise/white_equivalent.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -27,32 +28,6 @@ std::vector<double> samples_of(const Observations& observations) {
         }
     }
     return samples;
-}
-
-/// Sum over time of the autocorrelation of what a channel leaves, up to where it first vanishes. @returns s
-double time_scale(const Observations& observations, const Eigen::VectorXd& left, int noise) {
-    double longest = 0.0;
-    double weight = 0.0;
-    for (const Block& block : observations.blocks) {
-        if (block.channel != noise || block.rows() < 10) {
-            continue;
-        }
-        const Eigen::VectorXd x = left.segment(block.first, block.rows());
-        const double interval = (block.time.back() - block.time.front()) / static_cast<double>(block.rows() - 1);
-        const double power = x.squaredNorm() / static_cast<double>(x.size());
-        double sum = 0.5;
-        for (Eigen::Index lag = 1; lag < x.size() / 2; ++lag) {
-            const Eigen::Index n = x.size() - lag;
-            const double r = x.head(n).dot(x.tail(n)) / (static_cast<double>(n) * power);
-            if (r <= 0.0) {
-                break;
-            }
-            sum += r;
-        }
-        longest += sum * interval * power;
-        weight += power;
-    }
-    return weight > 0.0 ? longest / weight : 0.0;
 }
 
 /// Fits that stand beside the best one where these data leave the model in doubt: those of the other members of the set, and
@@ -124,7 +99,7 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
         const double floor = stated > 0.0 ? stated : noise.sigma * std::sqrt(noise.white_share);
         const double beyond = std::sqrt(std::max(0.0, square - floor * floor));
         if (beyond > least_error * floor && std::isfinite(beyond) && doubted) {
-            const double seconds = time_scale(observations, left, static_cast<int>(c));
+            const double seconds = time_scale(left, observations.blocks, static_cast<int>(c));
             into.model_error.push_back({.channel = observations.channels[c],
                                         .size = beyond,
                                         .time_scale = seconds,

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
+#include <utility>
 
+#include "diagnosis/assess/additions.hpp"
 #include "diagnosis/assess/extension.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"
 
@@ -14,28 +17,40 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-/// Causes that are added at most.
-constexpr std::size_t most_causes = 4;
-/// Candidates that are fitted at each step, and of these how many are tested on data that were left out.
+/// Additions at most.
+constexpr std::size_t most_additions = 5;
+/// Additions that are fitted at each step before enough of them are admissible, how many that is, and of these how many are tested on
+/// data that were left out.
 struct Effort {
     std::size_t fitted;
+    std::size_t admissible;
     std::size_t tested;
 };
-constexpr Effort usual{.fitted = 7, .tested = 3};
-constexpr Effort little{.fitted = 4, .tested = 2};
+constexpr Effort usual{.fitted = 5, .admissible = 2, .tested = 3};
+constexpr Effort little{.fitted = 3, .admissible = 2, .tested = 2};
 /// Steps of all runs times nodes from which on a simulation is dear.
 constexpr std::size_t dear = 30'000;
 constexpr std::size_t fewest_nodes = 10;  ///< below, a step costs no less
 /// A cause that removes less of the mean square than this is not worth a number.
 constexpr double least_removed = 0.03;
+/// What is promised less than this share of what the best addition is promised need not be tested beside it.
+constexpr double as_good = 0.7;
+/// Nor need be fitted what is promised less than this share of what is predicted of the best fit; at the next step it is again.
+constexpr double worth_a_fit = 0.5;
 /// A channel's rms may rise by this share, by chance.
 constexpr double tolerated_rise = 0.02;
+/// And by this share of what is removed: with a large fault gone the others move, and later additions make up for it.
+constexpr double rise_of_removed = 0.1;
+/// What removes less than this beyond doubt must not worsen any run.
+constexpr double beyond_one_run = 0.1;
+/// Of looking back.
+constexpr int most_turns = 2;
 /// White noise is taken where it predicts the temperatures better by this share of the rms.
 constexpr double better_by = 0.02;
 /// A cause is dropped again when the model without it predicts no worse than by this share of the mean square.
 constexpr double superfluous = 0.01;
-/// Standard deviations from which on a candidate is worth a fit.
-constexpr double least_score = 2.0;
+/// Of what an addition must remove, the part that the linearised model must promise of it.
+constexpr double least_promised = 0.7;
 
 /// Mean over the channels of the logarithm of the mean square: half of its differences is the relative change of the rms.
 double log_error(const PredictedModel& model, const Observations& observations) {
@@ -67,10 +82,6 @@ PredictionGain gain_over(const PredictedModel& before, const PredictedModel& aft
                                floor_of(*score_data.observations));
 }
 
-bool is_better(const PredictionGain& gain) {
-    return gain.removed > least_removed && gain.low > 0.0 && gain.worst <= 1.0 + tolerated_rise;
-}
-
 Effort effort_of(const ScoreTestData& score_data) {
     std::size_t steps = 0;
     for (const std::vector<double>& run : score_data.steps) {
@@ -80,154 +91,186 @@ Effort effort_of(const ScoreTestData& score_data) {
     return steps * std::max(nodes, fewest_nodes) < dear ? usual : little;
 }
 
-/// Candidates that the linearised model promises most of beside what is there, the best first: by scores with the noise
-/// of the fit, and by scores with correlated noise, in which quick effects such as those of timing stand out.
-std::vector<std::size_t> promising(ScoreTestData& score_data, const PredictedModel& now) {
-    const auto fits_in = [&](const Candidate& candidate) {
-        return std::ranges::all_of(now.hypothesis.candidates, [&](std::size_t k) {
-            return can_stand_beside(candidate, score_data.candidates[k]);
-        });
-    };
-    const Covariance slow = noise_beside(score_data, now.hypothesis);
-    const Covariance even = white_equivalent(slow, score_data.observations->blocks);
-    std::vector<std::vector<std::pair<double, std::size_t>>> rankings;
-    for (const Covariance* noise : {&slow, &even}) {
-        const Scores scores = scores_beside(score_data, now.hypothesis, *noise);
-        std::vector<std::pair<double, std::size_t>>& ranking = rankings.emplace_back();
-        for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
-            const auto i = static_cast<Eigen::Index>(k);
-            const double z = admitted(scores.z[i], score_data.sign[i]);
-            if (z > least_score && fits_in(score_data.candidates[k])) {
-                ranking.emplace_back(z, k);
-            }
-        }
-        std::ranges::sort(ranking, std::greater{});
-    }
-    const std::size_t most_fitted = effort_of(score_data).fitted;
-    std::vector<std::size_t> chosen;
-    std::set<std::size_t> taken;
-    for (std::size_t place = 0; chosen.size() < most_fitted; ++place) {
-        bool any = false;
-        for (const auto& ranking : rankings) {
-            if (place < ranking.size() && chosen.size() < most_fitted) {
-                any = true;
-                const std::size_t k = ranking[place].second;
-                if (taken.insert(score_data.candidates[k].cause).second) {
-                    chosen.push_back(k);
-                }
-            } else if (place < ranking.size()) {
-                any = true;
-            }
-        }
-        if (!any) {
-            break;
-        }
-    }
-    return chosen;
+/// Noise by which a model is fitted in the search.
+Covariance alike(const FittedHypothesis& model, const Observations& observations) {
+    return white_noise_of(observations.measured - model.fit.simulated, observations.blocks,
+                          observations.channels.size());
 }
 
-/// One more cause, fitted.
-struct Trial {
-    FittedHypothesis hypothesis;
-    double gain = 0.0;  ///< predicted to first order: share of the mean square that is removed
+/// Additions that were fitted.
+struct FittedGroups {
+    std::set<std::vector<std::size_t>> now;  ///< at this step
+    std::set<std::vector<std::size_t>>
+        dull;             ///< timing that removed nothing when it was fitted: from then on it counts like others
+    bool are_all = true;  ///< none that is promised enough was put off for a better one
 };
 
-/// Of the promising candidates those that remove most, fitted; implausible fits are set aside.
-std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now, PredictionSearch& search) {
+/// One more addition, fitted.
+struct Trial {
+    FittedHypothesis hypothesis;
+    double promised =
+        0.0;  ///< share of the mean square that is removed on data that were left out, to first order about the fit
+};
+
+void remark_on_end(const ScoreTestData& score_data, const FittedHypothesis& one, PredictionSearch& search) {
+    for (std::size_t i = 0; i < one.candidates.size(); ++i) {
+        const Eigen::Index j = one.number_of(i);
+        const Candidate& candidate = score_data.candidates[one.candidates[i]];
+        if (!one.fit.at_bound[static_cast<std::size_t>(j)] || one.fit.values[j] == candidate.absent) {
+            continue;
+        }
+        const Remark remark = remark::fits_at_end_of_range(name_of(candidate, *score_data.experiment),
+                                                           std::string(candidate.number().key), one.fit.values[j]);
+        if (std::ranges::find(search.remarks, remark) == search.remarks.end()) {
+            search.remarks.push_back(remark);
+        }
+    }
+}
+
+/// Fits additions until enough of them are admissible: timing, which is no line in its size and so promised too little of, then those
+/// that are promised most of. What ends at the end of what is plausible is set aside. @returns the best first
+std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now, FittedGroups& done,
+                           PredictionSearch& search) {
+    const Effort effort = effort_of(score_data);
+    const LinearPrediction linear = linear_beside(score_data, now.hypothesis, now.noise, true);
+    const LinearPrediction::MeanSquares before = linear.with({});
+    std::vector<CauseGroup> additions = additions_to(score_data, now.hypothesis, linear);
+    std::ranges::stable_partition(additions, &CauseGroup::is_timing);
     std::vector<Trial> trials;
-    const std::vector<std::size_t> chosen = promising(score_data, now);
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const std::size_t k = chosen[i];
-        const Candidate& candidate = score_data.candidates[k];
+    std::size_t fitted = 0;
+    std::size_t admissible = 0;
+    double best = 0.0;
+    for (const CauseGroup& addition : additions) {
+        const bool always = addition.is_timing && !done.dull.contains(addition.candidates);
+        if (done.now.contains(addition.candidates)) {
+            continue;
+        }
+        if (!always && (addition.promised < least_promised * least_removed || fitted == effort.fitted ||
+                        admissible == effort.admissible)) {
+            continue;
+        }
+        if (!always && addition.promised < worth_a_fit * best) {
+            done.are_all = false;
+            continue;
+        }
         score_data.say({.doing = Work::candidate,
-                        .of = name_of(candidate, *score_data.experiment),
-                        .number = i + 1,
-                        .count = chosen.size()});
-        Trial trial{.hypothesis = extended(score_data, now.hypothesis, k, now.noise)};
+                        .of = name_of(score_data.candidates[addition.candidates.front()], *score_data.experiment),
+                        .number = fitted + 1,
+                        .count = effort.fitted});
+        Trial trial{.hypothesis = extended(score_data, now.hypothesis, addition.candidates,
+                                           linear.amplitudes({addition.candidates.begin(), addition.candidates.end()}),
+                                           now.noise)};
+        done.now.insert(addition.candidates);
+        done.dull.insert(addition.candidates);
+        fitted += always ? 0 : 1;
         if (!trial.hypothesis.sound) {
             continue;
         }
         if (!trial.hypothesis.admissible) {
-            const Remark remark = remark::fits_at_end_of_range(
-                name_of(candidate, *score_data.experiment), std::string(candidate.number().key),
-                trial.hypothesis.fit.values[trial.hypothesis.number_of(trial.hypothesis.candidates.size() - 1)]);
-            if (std::ranges::find(search.remarks, remark) == search.remarks.end()) {
-                search.remarks.push_back(remark);
-            }
+            remark_on_end(score_data, trial.hypothesis, search);
             continue;
         }
-        trial.gain = linear_gain(score_data, now.hypothesis, trial.hypothesis);
-        trials.push_back(std::move(trial));
+        admissible += always ? 0 : 1;
+        trial.promised = share_removed(before, linear_beside(score_data, trial.hypothesis, now.noise, false).with({}));
+        best = std::max(best, trial.promised);
+        if (trial.promised > least_promised * least_removed) {
+            done.dull.erase(addition.candidates);
+            trials.push_back(std::move(trial));
+        }
     }
-    std::ranges::sort(trials, std::greater{}, &Trial::gain);
-    if (const std::size_t most_tested = effort_of(score_data).tested; trials.size() > most_tested) {
-        trials.resize(most_tested);
-    }
+    std::ranges::sort(trials, std::greater{}, &Trial::promised);
+    trials.resize(std::min(trials.size(), effort.tested));
     return trials;
 }
 
-/// The model without one of its causes, as an improvement over the base.
-std::optional<PredictedModel> without(ScoreTestData& score_data, const PredictedModel& model, std::size_t cause) {
-    FittedHypothesis less = reduced(score_data, model.hypothesis, cause, model.noise);
-    if (!less.sound) {
-        return std::nullopt;
-    }
-    return predicted(score_data, std::move(less), model.noise);
-}
-
-/// Drops causes that later ones have made superfluous.
-void look_back(ScoreTestData& score_data, PredictionSearch& search) {
-    for (bool dropped = true; dropped && search.accepted.size() > 1;) {
-        dropped = false;
-        const PredictedModel now = search.best();
-        for (std::size_t cause = 0; cause + 1 < now.hypothesis.candidates.size(); ++cause) {
-            score_data.say({.doing = Work::looking_back});
-            std::optional<PredictedModel> less = without(score_data, now, cause);
-            if (!less) {
-                continue;
-            }
-            const PredictionGain lost = gain_over(*less, now, score_data);
-            if (lost.removed < superfluous || lost.low < -superfluous) {
-                search.accepted.back() = {.model = std::move(*less), .gain = {}};
-                search.accepted.back().gain = gain_over(search.base, search.accepted.back().model, score_data);
-                search.accepted.erase(search.accepted.begin() + static_cast<std::ptrdiff_t>(search.accepted.size()) -
-                                      2);
-                dropped = true;
-                break;
-            }
+/// The model with another addition in the place of one of its causes, where that predicts better.
+/// @param less the model without the cause
+std::optional<PredictedModel> swapped(ScoreTestData& score_data, const PredictedModel& now,
+                                      const FittedHypothesis& less, std::size_t dropped) {
+    const LinearPrediction linear = linear_beside(score_data, less, now.noise, true);
+    const LinearPrediction::MeanSquares before = linear_beside(score_data, now.hypothesis, now.noise, false).with({});
+    for (const CauseGroup& addition : additions_to(score_data, less, linear)) {
+        const bool is_same = std::ranges::any_of(addition.candidates, [&](std::size_t k) {
+            return score_data.candidates[k].cause == score_data.candidates[dropped].cause;
+        });
+        const std::vector<Eigen::Index> columns{addition.candidates.begin(), addition.candidates.end()};
+        if (is_same) {
+            continue;
         }
-    }
-}
-
-/// White noise in the proportions of the data sheet, as large as it takes to leave no more than noise in the mean; nothing
-/// where a sensor has none, or where the fit's own noise has about these proportions. Noise that is estimated beside a wrong
-/// model is large in the channels that the fit has given up: they are never looked at again.
-std::optional<Covariance> in_proportion(const Covariance& even, const Observations& observations) {
-    constexpr double about = 4.0;
-    double least = 1e300;
-    double most = 0.0;
-    double mean = 0.0;
-    const auto n = static_cast<double>(observations.channels.size());
-    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
-        if (!(observations.stated[c] > 0.0)) {
+        if (share_removed(before, linear.with(columns)) < least_removed) {
             return std::nullopt;
         }
-        const double times = even.channels[c].sigma / observations.stated[c];
-        least = std::min(least, times);
-        most = std::max(most, times);
-        mean += std::log(times) / n;
+        FittedHypothesis other = extended(score_data, less, addition.candidates, linear.amplitudes(columns), now.noise);
+        if (other.sound && other.admissible) {
+            PredictedModel model = predicted(score_data, std::move(other), now.noise);
+            return model.out.ok && is_improvement(gain_over(now, model, score_data)) ? std::optional(std::move(model))
+                                                                                     : std::nullopt;
+        }
     }
-    if (!(most > about * least)) {
-        return std::nullopt;
+    return std::nullopt;
+}
+
+/// Drops a cause that later ones have made superfluous, or puts another in its place that predicts better.
+/// @returns whether anything changed
+bool look_back(ScoreTestData& score_data, PredictionSearch& search) {
+    const PredictedModel now = search.best();
+    const std::size_t n = now.hypothesis.candidates.size();
+    const LinearPrediction::MeanSquares before = linear_beside(score_data, now.hypothesis, now.noise, false).with({});
+    for (std::size_t cause = 0; n > 1 && cause < n; ++cause) {
+        score_data.say({.doing = Work::looking_back});
+        FittedHypothesis fewer = reduced(score_data, now.hypothesis, cause, now.noise);
+        if (!fewer.sound) {
+            continue;
+        }
+        const double promised = share_removed(linear_beside(score_data, fewer, now.noise, false).with({}), before);
+        if (promised < least_removed) {
+            PredictedModel less = predicted(score_data, fewer, now.noise);
+            const PredictionGain lost = gain_over(less, now, score_data);
+            if (lost.removed < superfluous || lost.low < -superfluous) {
+                search.accepted.back() = {.model = std::move(less), .gain = {}};
+                return true;
+            }
+        }
+        if (std::optional<PredictedModel> other = swapped(score_data, now, fewer, now.hypothesis.candidates[cause])) {
+            search.accepted.back() = {.model = std::move(*other), .gain = {}};
+            return true;
+        }
     }
-    Covariance same = even;
-    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
-        same.channels[c].sigma = std::exp(mean) * observations.stated[c];
+    return false;
+}
+
+/// Channels whose noises keep their proportions within this factor count as before.
+constexpr double about_the_same = 1.3;
+
+/// A model fitted anew with the noise that it leaves, so that every channel goes on counting alike.
+PredictedModel settled(ScoreTestData& score_data, PredictedModel model) {
+    const Covariance noise = alike(model.hypothesis, *score_data.observations);
+    double least = 1e300;
+    double most = 0.0;
+    for (std::size_t c = 0; c < noise.channels.size(); ++c) {
+        const double ratio = noise.channels[c].sigma / model.noise.channels[c].sigma;
+        least = std::min(least, ratio);
+        most = std::max(most, ratio);
     }
-    return same;
+    const bool is_white =
+        std::ranges::all_of(model.noise.channels, [](const Noise& one) { return one.white_share == 1.0; });
+    if (model.base != BaseModel::as_it_stands && is_white && most < about_the_same * least) {
+        return model;
+    }
+    FittedHypothesis again = refitted(score_data, model.hypothesis, noise);
+    if (!again.sound) {
+        return model;
+    }
+    PredictedModel found = predicted(score_data, std::move(again), noise);
+    return found.out.ok ? found : model;
 }
 
 }  // namespace
+
+bool is_improvement(const PredictionGain& gain) {
+    return gain.removed > least_removed && gain.low > 0.0 && (gain.in_every_fold || gain.low > beyond_one_run) &&
+           gain.worst <= 1.0 + tolerated_rise + rise_of_removed * gain.removed;
+}
 
 PredictionSearch choose_base(ScoreTestData& score_data) {
     PredictionSearch search;
@@ -239,24 +282,20 @@ PredictionSearch choose_base(ScoreTestData& score_data) {
 
     PredictedModel correlated = predicted(score_data, slow, score_data.noise);
     correlated.base = BaseModel::correlated_noise;
-    const Covariance even = white_equivalent(score_data.noise, observations.blocks);
     std::optional<PredictedModel> white;
-    const auto try_white = [&](const Covariance& noise) {
-        FittedHypothesis flat = refitted(score_data, slow, noise);
+    Covariance even = alike(slow, observations);
+    for (int turn = 0; turn < 2; ++turn) {
+        FittedHypothesis flat = refitted(score_data, white ? white->hypothesis : slow, even);
         if (!flat.sound) {
-            return;
+            break;
         }
-        PredictedModel model = predicted(score_data, std::move(flat), noise);
-        model.base = BaseModel::white_noise;
-        if (!white || (model.out.ok && log_error(model, observations) < log_error(*white, observations))) {
-            white = std::move(model);
-        }
-    };
-    try_white(even);
-    if (const std::optional<Covariance> same = in_proportion(even, observations)) {
-        try_white(*same);
+        white = PredictedModel{.hypothesis = std::move(flat), .noise = even, .base = BaseModel::white_noise};
+        even = alike(white->hypothesis, observations);
     }
-    const Covariance its_noise = white ? white->noise : even;
+    if (white) {
+        white->out = predicted(score_data, white->hypothesis, white->noise).out;
+    }
+    const Covariance& its_noise = white ? white->noise : even;
     FittedHypothesis plain = as_it_stands(score_data, its_noise);
     PredictedModel stands = predicted(score_data, std::move(plain), its_noise, false);
     stands.base = BaseModel::as_it_stands;
@@ -274,35 +313,38 @@ PredictionSearch choose_base(ScoreTestData& score_data) {
 }
 
 void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
-    // What is added is added to a fit, with the noise that predicts better; where the case as it stands does best, too.
-    PredictedModel start = search.base;
-    if (search.white) {
-        FittedHypothesis flat = refitted(score_data, start.hypothesis, start.noise);
-        if (flat.sound) {
-            start = predicted(score_data, std::move(flat), start.noise);
-        }
-    }
-    while (search.accepted.size() < most_causes) {
-        const PredictedModel& now = search.accepted.empty() ? start : search.best();
+    // What is added is added to a fit in which every channel counts alike, whatever predicts best.
+    PredictedModel now = settled(score_data, search.base);
+    FittedGroups done;
+    bool is_second = false;  // what was put off for better ones is fitted where these do not predict better, once
+    while (search.accepted.size() < most_additions) {
+        done.are_all = true;
         std::vector<Improvement> better;
-        std::vector<Trial> trials = try_all(score_data, now, search);
+        std::vector<Trial> trials = try_all(score_data, now, done, search);
         for (std::size_t i = 0; i < trials.size(); ++i) {
             Trial& trial = trials[i];
+            // The others are tested for what may stand beside the first cause.
+            if (!better.empty() && (!search.accepted.empty() || trial.promised < as_good * trials.front().promised)) {
+                break;
+            }
             const Candidate& added = score_data.candidates[trial.hypothesis.candidates.back()];
             score_data.say({.doing = Work::prediction,
                             .of = name_of(added, *score_data.experiment),
                             .number = i + 1,
                             .count = trials.size()});
             Improvement one{.model = predicted(score_data, std::move(trial.hypothesis), now.noise)};
-            one.gain = gain_over(search.accepted.empty() ? search.base : now, one.model, score_data);
-            if (one.model.out.ok && is_better(one.gain)) {
+            one.gain = gain_over(now, one.model, score_data);
+            if (one.model.out.ok && is_improvement(one.gain)) {
                 better.push_back(std::move(one));
             } else if (one.model.out.ok) {
                 search.largest_gain = std::max(search.largest_gain, one.gain.removed);
             }
         }
-        if (better.empty()) {
+        if (better.empty() && (done.are_all || std::exchange(is_second, true))) {
             break;
+        }
+        if (better.empty()) {
+            continue;
         }
         std::ranges::sort(better, std::greater{}, [](const Improvement& one) { return one.gain.removed; });
         if (search.accepted.empty()) {
@@ -313,10 +355,23 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
                 }
             }
         }
-        search.accepted.push_back(std::move(better.front()));
+        now = settled(score_data, better.front().model);
+        search.accepted.push_back({.model = now, .gain = better.front().gain});
+        done.now.clear();
+        is_second = false;
     }
-    look_back(score_data, search);
-    search.gain = search.accepted.empty() ? PredictionGain{} : gain_over(search.base, search.best(), score_data);
+    for (int turn = 0; !search.accepted.empty() && turn < most_turns && look_back(score_data, search); ++turn) {
+    }
+    if (search.accepted.empty()) {
+        return;
+    }
+    search.gain = gain_over(search.base, search.best(), score_data);
+    if (!is_improvement(search.gain)) {  // another fit of the case does as well without any cause
+        search.largest_gain = std::max(search.largest_gain, search.gain.removed);
+        search.accepted.clear();
+        search.alternatives.clear();
+        search.gain = {};
+    }
 }
 
 }  // namespace tiretherm::diagnosis

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/assess/diagnosis.hpp"
 #include "diagnosis/assess/fitted_hypothesis.hpp"
 #include "diagnosis/assess/prediction_gain.hpp"
 
@@ -40,13 +41,16 @@ struct PredictionSearch {
     [[nodiscard]] const PredictedModel& best() const { return accepted.empty() ? base : accepted.back().model; }
 };
 
+/// Whether a gain is beyond chance, worth a number, and at the cost of no channel; of no run either, where it is small.
+[[nodiscard]] bool is_improvement(const PredictionGain& gain);
+
 /// Which of the case as it stands, the fit with correlated noise and the fit with white noise predicts data that were left
 /// out best. @param score_data of the base model, with correlated noise
 [[nodiscard]] PredictionSearch choose_base(ScoreTestData& score_data);
 
-/// Adds causes one by one, each the one that predicts best of those that the linearised model promises most of: timing of
-/// sensors and inputs first. A cause is added while what it predicts of data that were left out gets better beyond doubt, no
-/// channel gets worse, and its size is one that can be. Causes that later ones make superfluous are dropped.
+/// Adds causes, each time the addition that predicts best of those that the linearised model promises most of, and timing of sensors and
+/// inputs whatever is promised. An addition is accepted while what it predicts of data that were left out is an improvement, and its
+/// sizes are ones that can be. Causes that later ones make superfluous are dropped, or swapped for better ones.
 /// @param search as choose_base gives it
 void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search);
 

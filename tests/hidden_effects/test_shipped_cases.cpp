@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidden_effects/case_rows.hpp"
 #include "input/runs/read_experiment.hpp"
 #include "solver/time_integration/march.hpp"
 #include "two_node/shipped_truth.hpp"
@@ -16,8 +17,6 @@ namespace {
 
 namespace input = tiretherm::input;
 namespace solver = tiretherm::solver;
-
-constexpr double celsius = 273.15;
 
 /// A case as it is read, or a failure.
 input::Experiment experiment(const std::string& name) {

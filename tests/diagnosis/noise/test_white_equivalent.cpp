@@ -41,5 +41,25 @@ TEST(WhiteEquivalent, OfWhiteNoiseIsItself) {
     EXPECT_DOUBLE_EQ(white.channels[0].sigma, 0.4);
 }
 
+// (a, a, a, -a, -a, -a, ...): neighbours agree in two of three, r_1 = 1/3, and r_2 = -1/3 ends the sum. Of n samples
+// 1 + 2 r_1 = 5/3 count as one. (b, -b, b, ...): r_1 = -1, every sample counts. The geometric mean is the root of 5/3: either
+// channel's noise is as many times what is left of it.
+TEST(WhiteNoiseOf, WhatAModelLeavesCountsChannelsAlike) {
+    constexpr int n = 6000;
+    std::vector<Block> blocks{even_block(n, 2.0), even_block(n, 2.0)};
+    blocks[1].channel = 1;
+    blocks[1].first = n;
+    Eigen::VectorXd left(2 * n);
+    for (int i = 0; i < n; ++i) {
+        left[i] = i / 3 % 2 == 0 ? 0.5 : -0.5;
+        left[n + i] = i % 2 == 0 ? 3.0 : -3.0;
+    }
+    EXPECT_NEAR(time_scale(left, blocks, 0), 2.0 * (0.5 + 1.0 / 3.0), 2e-3);
+    const Covariance white = white_noise_of(left, blocks, 2);
+    EXPECT_NEAR(white.channels[0].sigma, 0.5 * std::pow(5.0 / 3.0, 0.25), 1e-3);
+    EXPECT_NEAR(white.channels[1].sigma, 6.0 * white.channels[0].sigma, 1e-12);
+    EXPECT_EQ(white.channels[0].correlation_time, 0.0);
+}
+
 }  // namespace
 }  // namespace tiretherm::diagnosis
