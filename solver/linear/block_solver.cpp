@@ -15,6 +15,8 @@ namespace {
 /// A sweep that leaves more than this of an error is worse than conjugate residuals.
 constexpr double slow = 0.35;
 constexpr int most_sweeps = 40;
+/// What the first sweep of a call is taken to leave at least: matrix and factor may be others than when it was seen.
+constexpr double least_left = 0.05;
 
 double largest(std::span<const double> values) {
     std::array<double, 4> most{};  // side by side: one alone would wait for each comparison
@@ -71,9 +73,10 @@ BlockSolver::Result BlockSolver::solve(const Matrix& J, Factor& factor, std::spa
         if (before > 0.0) {
             contraction_ = now / before;
         }
+        const double left = before > 0.0 ? contraction_ : std::max(least_left, contraction_);
         before = now;
         // What the next sweep would change, were it to contract as the last.
-        if (now * std::min(1.0, contraction_ / std::max(1e-3, 1.0 - contraction_)) <= tolerance) {
+        if (now * std::min(1.0, left / std::max(1e-3, 1.0 - left)) <= tolerance) {
             result.converged = true;
             return result;
         }
