@@ -62,12 +62,12 @@ public:
     }
     /// The same with what is being done, and what is left of it.
     [[nodiscard]] diagnosis::Progress stages() {
-        return [this](const diagnosis::Stage& stage, long simulations) { show(stage, simulations); };
+        return [this](const diagnosis::Activity& stage, long simulations) { show(stage, simulations); };
     }
     void wipe() { line_.wipe(); }
 
 private:
-    void show(const diagnosis::Stage& stage, long simulations) {
+    void show(const diagnosis::Activity& stage, long simulations) {
         if (stage.doing != doing_ || stage.number < number_) {
             doing_ = stage.doing;
             begun_ = post::ProgressLine::wall_clock();

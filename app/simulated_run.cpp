@@ -26,8 +26,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Marches through the case, from where an interrupted call had come to; stops where the user asks for it, with the
 /// field of that moment.
-solver::Report march(const solver::Problem& problem, post::RunFiles& files, diagnosis::HotSpotTracker& hot_spots,
-                     post::RunJournal& journal, const RunOptions& options) {
+solver::MarchReport march(const solver::Problem& problem, post::RunFiles& files, diagnosis::HotSpotTracker& hot_spots,
+                          post::RunJournal& journal, const RunOptions& options) {
     if (journal.is_damaged()) {
         tell_of_damage("the run begins anew");
     }

@@ -37,7 +37,7 @@ struct SimulatedRun {
     post::Provenance provenance{};
     std::unique_ptr<post::OutputFolder> folder{};
     std::optional<post::RunFiles> files{};
-    solver::Report report{};
+    solver::MarchReport report{};
     double seconds = 0.0;
     std::optional<diagnosis::HotSpots> hot_spots{};
     std::optional<diagnosis::WhatIf> what_if{};

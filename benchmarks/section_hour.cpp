@@ -13,7 +13,7 @@ namespace {
 void run(benchmark::State& state, void (*drive)(solver::Problem&)) {
     solver::Problem problem = rolling_section();
     drive(problem);
-    solver::Report report;
+    solver::MarchReport report;
     for (auto _ : state) {
         report = solver::run(problem, [](const solver::Snapshot&) { return true; });
         if (!report.status.ok()) {

@@ -20,7 +20,7 @@ constexpr std::array pose_parameters{
 };
 const Effect pose_effect{
     .id = "camera_pose",
-    .kind = Kind::sensor,
+    .kind = EffectKind::sensor,
     .equation = "pixel = mean of T over its square, smeared by a Gaussian",
     .source = "definition",
     .meaning = "Where a camera's image lies on a specimen, and how sharp it is.",
@@ -29,21 +29,21 @@ const Effect pose_effect{
 };
 
 /// Places and weights of a rule across one direction.
-struct Rule {
+struct QuadratureRule {
     std::vector<double> at;
     std::vector<double> weight;
 };
 
 /// Across a pixel: a flat window of the pitch, smeared by a Gaussian.
-Rule across(double pitch, double blur) {
+QuadratureRule across(double pitch, double blur) {
     const double legendre = 0.5 * std::sqrt(0.6) * pitch;
-    const Rule window{.at = {-legendre, 0.0, legendre}, .weight = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0}};
+    const QuadratureRule window{.at = {-legendre, 0.0, legendre}, .weight = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0}};
     if (blur <= 0.0) {
         return window;
     }
     const double sigma = blur / (2.0 * std::sqrt(2.0 * std::numbers::ln2));
     const double hermite = std::sqrt(3.0) * sigma;
-    Rule rule;
+    QuadratureRule rule;
     for (std::size_t i = 0; i < window.at.size(); ++i) {
         for (const auto& [shift, share] : {std::pair{-hermite, 1.0 / 6.0}, {0.0, 4.0 / 6.0}, {hermite, 1.0 / 6.0}}) {
             rule.at.push_back(window.at[i] + shift);
@@ -71,8 +71,8 @@ struct Footprint {
         }
     }
 
-    Rule x;
-    Rule y;
+    QuadratureRule x;
+    QuadratureRule y;
     double cosine;
     double sine;
 };

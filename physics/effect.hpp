@@ -22,7 +22,7 @@
 namespace tiretherm::physics {
 
 /// What a cause is, for the reader of the catalogue.
-enum class Kind : std::uint8_t { source, loss, property, input, state, sensor };
+enum class EffectKind : std::uint8_t { source, loss, property, input, state, sensor };
 
 /// A parameter of an effect. `standard` is used where a case says nothing; a value outside [low, high] is refused.
 struct ParameterSpec {
@@ -79,7 +79,7 @@ struct ComparedRange {
 /// matter, but for sensor models, whose order is that of the catalogue.
 struct Effect {
     std::string_view id;
-    Kind kind;
+    EffectKind kind;
     bool on = false;  ///< part of the thesis's model
     std::string_view equation;
     std::string_view source;

@@ -173,7 +173,7 @@ std::string loss_text(const std::vector<post::CompoundPeak>& compounds) {
 
 void print_text(const Checked& checked) {
     const solver::Problem& problem = checked.problem;
-    post::Table table({true, true});
+    post::TextTable table({true, true});
     table.add({"mesh", fmt::format("{} ({})", problem.mesh.kind, fmt::join(problem.mesh.layers, ", "))});
     if (const std::string tire = tire_text(problem); !tire.empty()) {
         table.add({"tire", tire});

@@ -101,20 +101,20 @@ post::Report report_of(const input::LogSurvey& survey) {
                                       post::plural(survey.columns.size(), "channel"), survey.from, survey.to,
                                       post::plural(survey.rows, "row")));
     Value::List details;
-    post::Table shown({true, true});
+    post::TextTable shown({true, true});
     for (const input::LogDetail& detail : survey.description.details) {
         details.push_back({{"name", detail.name}, {"value", detail.value}});
         shown.add({detail.name, detail.value});
     }
     if (!details.empty()) {
-        post::Section section("Recording");
+        post::ReportSection section("Recording");
         for (const std::string& line : shown.lines(0)) {
             section.line(line);
         }
         report.add(std::move(section));
     }
-    report.add(post::Section("Channels", channels(survey)));
-    post::Section of_laps("Laps");
+    report.add(post::ReportSection("Channels", channels(survey)));
+    post::ReportSection of_laps("Laps");
     of_laps.say(source_of(survey.laps));
     of_laps.add(laps(survey));
     report.add(std::move(of_laps));

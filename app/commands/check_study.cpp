@@ -32,7 +32,7 @@ void print_study(const input::Study& study, const std::vector<std::string>& warn
         fmt::print("{}\n", shown.dump(2, ' ', false, Json::error_handler_t::replace));
         return;
     }
-    post::Table table({true, true});
+    post::TextTable table({true, true});
     table.add({"case", study.case_name});
     table.add({"runs", post::plural(study.runs.size(), "run")});
     for (const input::StudyInput& input : study.inputs) {

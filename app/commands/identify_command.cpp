@@ -69,7 +69,7 @@ int plan(const IdentifyOptions& options, input::ExperimentReading& reading) {
                                             .planned = true};
     const auto report = [&](const std::vector<std::filesystem::path>& files) {
         post::Report page = post::identification_report(record, files);
-        post::Section noise("");
+        post::ReportSection noise("");
         noise.say(
             fmt::format("Noise assumed: as stated with the sensors; {:.0f} % of its variance is white noise, the rest "
                         "has a correlation time of {:g} s (--correlation-time).",

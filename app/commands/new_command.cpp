@@ -217,7 +217,7 @@ void print_case(const input::NewCase& made, const input::NewCaseRequest& request
         const std::vector<double>& time = made.log->time;
         fmt::print("\nFrom {}, {} samples from {:g} to {:g} s\n", input::printable(made.log->path),
                    post::grouped(static_cast<double>(time.size())), time.front(), time.back());
-        post::Table table({true, true});
+        post::TextTable table({true, true});
         std::vector<std::string> foreign;
         for (const input::LogColumn& column : made.log->columns) {
             column.is_foreign ? foreign.push_back(column.heading.name) : table.add({column.title(), use_of(column)});
@@ -230,7 +230,7 @@ void print_case(const input::NewCase& made, const input::NewCaseRequest& request
         }
     }
     if (!made.assumed.empty()) {
-        post::Table table({true, true, true});
+        post::TextTable table({true, true, true});
         for (const input::AssumedValue& value : made.assumed) {
             table.add({value.key, value.value, value.reason});
         }

@@ -107,7 +107,7 @@ void show_charts(const ReportOptions& options, const post::PageCharts& page) {
         print_text(post::read_text(text) + "\n");
     }
     post::Report report{.title = fmt::format("Charts in {}", options.page().string())};
-    post::Section charts("");
+    post::ReportSection charts("");
     for (const post::PageChart& chart : page.charts) {
         charts.item(chart.title);
     }
@@ -168,7 +168,7 @@ int tell_pictures(const std::vector<DrawnPage>& pages) {
     post::Report report{.title = pages.size() > 1 ? fmt::format("Charts of {} pages", pages.size())
                                                   : fmt::format("Charts of {}", pages.front().options.page().string())};
     post::Value::List of_pages;
-    post::Section files("");
+    post::ReportSection files("");
     for (const DrawnPage& drawn : pages) {
         of_pages.push_back(post::page_data(drawn.options.folder, drawn.page, drawn.pictures));
         for (std::size_t i = 0; i < drawn.pictures.size(); ++i) {

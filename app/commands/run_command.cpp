@@ -77,7 +77,7 @@ int run_corners(input::Reading& reading, const std::filesystem::path& directory,
     std::optional<diagnosis::WhatIf> what_if;
     if (!changes.empty()) {
         std::vector<const solver::Problem*> problems;
-        std::vector<const solver::Report*> reports;
+        std::vector<const solver::MarchReport*> reports;
         for (const std::unique_ptr<SimulatedRun>& tire : tires) {
             problems.push_back(&tire->run.problem);
             reports.push_back(&tire->report);

@@ -23,7 +23,7 @@ std::string inputs_topic() {
         "An input is what drives the model. A case gives it in [drive], as a constant, a schedule or a file; a "
         "measured run gives it in a column of that name, or of any name with columns = { V = \"speed\" }. Any unit of "
         "the right kind will do.\n\n");
-    post::Table table({true, true, true});
+    post::TextTable table({true, true, true});
     table.add({"input", "for example", "meaning"});
     for (const physics::Signal& signal : physics::signals()) {
         const std::string example =
@@ -64,14 +64,14 @@ std::string units_topic() {
         "a standard deviation of \"0.5 degC\" is 0.5 K.\n\n"
         "After a power or an energy and a slash, mK, m2K and kgK are products: W/mK is W/(m K). mK alone is a "
         "millikelvin.\n\n");
-    post::Table usual({true, true, true});
+    post::TextTable usual({true, true, true});
     usual.add({"kind", "for example", "usual units"});
     for (const input::Dimension& dimension : input::dimensions()) {
         if (!dimension.example.empty()) {
             usual.add({dimension.name, dimension.example, dimension.units});
         }
     }
-    post::Table others({true, true});
+    post::TextTable others({true, true});
     for (const auto& [alias, meaning] : input::unit_aliases()) {
         if (input::is_printable(alias) && alias != "-") {  // Latin-1 is for files
             others.add({alias.empty() ? "- or nothing" : std::string(alias), std::string(meaning)});

@@ -195,7 +195,7 @@ struct Diagnosis {
     std::vector<FreeNumber> free_numbers;     ///< of the extended model, or of the base where there is none
     std::vector<HeldOutGain> held_out_gains;  ///< what was tested on data that were left out, the largest first
     Part stopped = Part::none;                ///< what was being done when time ran out; none: it came to its end
-    Stage stopped_at{};                       ///< the piece of work at which it was stopped, where these are counted
+    Activity stopped_at{};                    ///< the piece of work at which it was stopped, where these are counted
     double rest_of_stage = 0.0;               ///< s, about what the stage would have taken still; NaN: not known
     Remarks remarks;
     Eigen::VectorXd values;    ///< [n_parameters] of the base fit

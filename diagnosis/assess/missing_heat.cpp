@@ -33,8 +33,8 @@ RunWindows windows_of_run(std::size_t run, const ScoreTestData& score_data, cons
     const Observations& observations = *score_data.observations;
     const std::vector<HeatPlace>& places = score_data.unknowns.places;
     CandidateSources events = events_of_run(run, observations, problem, score_data.steps[run], places, windows);
-    std::vector<Block> blocks = observations.blocks;
-    std::erase_if(blocks, [&](const Block& block) {
+    std::vector<NoiseBlock> blocks = observations.blocks;
+    std::erase_if(blocks, [&](const NoiseBlock& block) {
         return observations.rows[static_cast<std::size_t>(block.first)].run != run;
     });
     whiten(blocks, score_data.noise, events.columns);

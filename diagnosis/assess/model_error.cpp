@@ -22,7 +22,7 @@ constexpr double widest_undoubted = 2.0;
 
 std::vector<double> samples_of(const Observations& observations) {
     std::vector<double> samples(observations.channels.size(), 0.0);
-    for (const Block& block : observations.blocks) {
+    for (const NoiseBlock& block : observations.blocks) {
         if (block.channel >= 0) {
             samples[static_cast<std::size_t>(block.channel)] += static_cast<double>(block.rows());
         }

@@ -84,8 +84,8 @@ RunVerdicts diagnose_by_run(const input::Experiment& experiment, const Diagnosis
             options.richer.push_back({.name = richer.name, .experiment = &meshes.back(), .change = richer.change});
         }
         if (choice.progress) {
-            options.progress = [&](const Stage& stage, long simulations) {
-                Stage of_run = stage;
+            options.progress = [&](const Activity& stage, long simulations) {
+                Activity of_run = stage;
                 of_run.run = name;
                 choice.progress(of_run, simulations);
             };

@@ -14,7 +14,7 @@ namespace tiretherm::diagnosis {
 namespace {
 
 /// One channel of one run.
-ComparedSeries series_of(const input::Experiment& experiment, const Observations& observations, const Block& block,
+ComparedSeries series_of(const input::Experiment& experiment, const Observations& observations, const NoiseBlock& block,
                          const Eigen::VectorXd& simulated, const std::vector<Regressor>& regressors) {
     const Observations::Row& first = observations.rows[static_cast<std::size_t>(block.first)];
     const input::MeasuredRun& run = experiment.runs[first.run];
@@ -56,7 +56,7 @@ std::vector<ComparedChannel> compare_observed(const input::Experiment& experimen
         laps.push_back(run.laps);
     }
     std::map<std::size_t, ComparedChannel> channels;  // in the case's order
-    for (const Block& block : observations.blocks) {
+    for (const NoiseBlock& block : observations.blocks) {
         if (block.channel < 0 || block.time.empty()) {
             continue;
         }

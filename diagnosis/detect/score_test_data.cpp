@@ -143,7 +143,7 @@ void ScoreTestData::count(long more) {
     }
 }
 
-void ScoreTestData::say(Stage what) {
+void ScoreTestData::say(Activity what) {
     stage = std::move(what);
     if (stage.number <= 1) {
         stage_begin = std::chrono::steady_clock::now();

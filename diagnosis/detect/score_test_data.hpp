@@ -45,12 +45,12 @@ struct ScoreTestData {
     double pair_threshold = 0.0;
     long simulations = 0;
     Progress progress{};
-    Stage stage{};
+    Activity stage{};
     std::chrono::steady_clock::time_point stage_begin{};  ///< of its first piece
 
     void count(long more);
     /// Says what is being done from now on.
-    void say(Stage what);
+    void say(Activity what);
     /// How long the rest of the stage takes, if its pieces take alike. @returns s; NaN before the first piece is done
     [[nodiscard]] double rest_of_stage() const;
     /// Scores of the candidates and of the unknown sources against another model.

@@ -15,15 +15,15 @@ namespace {
 /// have hundreds of thousands, every so many pixels with all their frames.
 constexpr Eigen::Index enough_rows = 30000;
 
-struct Share {
-    std::vector<Block> blocks;
+struct SampledRows {
+    std::vector<NoiseBlock> blocks;
     std::vector<Eigen::Index> rows;
 };
 
 /// @returns nothing where every channel has few rows
-std::optional<Share> a_share_of(const std::vector<Block>& blocks, std::size_t n_channels) {
+std::optional<SampledRows> a_share_of(const std::vector<NoiseBlock>& blocks, std::size_t n_channels) {
     std::vector<Eigen::Index> rows(n_channels, 0);
-    for (const Block& block : blocks) {
+    for (const NoiseBlock& block : blocks) {
         if (block.channel >= 0) {
             rows[static_cast<std::size_t>(block.channel)] += block.rows();
         }
@@ -31,9 +31,9 @@ std::optional<Share> a_share_of(const std::vector<Block>& blocks, std::size_t n_
     if (std::ranges::all_of(rows, [](Eigen::Index n) { return n <= 2 * enough_rows; })) {
         return std::nullopt;
     }
-    Share share;
+    SampledRows share;
     std::vector<Eigen::Index> seen(n_channels, 0);  // blocks of each channel
-    for (const Block& block : blocks) {
+    for (const NoiseBlock& block : blocks) {
         if (block.channel >= 0) {
             const auto c = static_cast<std::size_t>(block.channel);
             const Eigen::Index every = std::max<Eigen::Index>(1, rows[c] / enough_rows);
@@ -138,7 +138,7 @@ void Fit::find_noise(const Eigen::MatrixXd& also) {
     }
     Eigen::VectorXd precision = Eigen::VectorXd::Zero(span.cols());
     precision.head(n_) = precision_.cwiseProduct(scale_.cwiseAbs2());
-    const auto estimate = [&](const std::vector<Block>& blocks, const Eigen::VectorXd& rest,
+    const auto estimate = [&](const std::vector<NoiseBlock>& blocks, const Eigen::VectorXd& rest,
                               const Eigen::MatrixXd& columns) {
         noise_ = estimate_noise({.blocks = blocks,
                                  .residual = rest,

@@ -150,7 +150,7 @@ void assess_channels(const Fit& fit, Identification& into) {
         found.noise = fit.covariance().channels[c];
         found.found = fit.noise().channels[c];
         bool is_image = false;
-        for (const Block& block : observations.blocks) {
+        for (const NoiseBlock& block : observations.blocks) {
             if (block.channel == static_cast<int>(c)) {
                 is_image = observations.rows[static_cast<std::size_t>(block.first)].image >= 0;
                 const auto rows = Eigen::seqN(block.first, block.rows());
@@ -175,7 +175,7 @@ void assess_channels(const Fit& fit, Identification& into) {
         }
         into.channels.push_back(std::move(found));
     }
-    for (const Block& block : observations.blocks) {
+    for (const NoiseBlock& block : observations.blocks) {
         for (Eigen::Index i = 0; block.channel < 0 && i < block.rows(); ++i) {
             const Eigen::Index row = block.first + i;
             into.numbers.push_back({.row = static_cast<std::size_t>(row),

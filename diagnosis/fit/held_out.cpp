@@ -72,7 +72,7 @@ std::vector<double> cuts_of(const Observations& observations) {
 
 std::vector<int> noise_of_rows(const Observations& observations) {
     std::vector<int> noise(observations.rows.size(), -1);
-    for (const Block& block : observations.blocks) {
+    for (const NoiseBlock& block : observations.blocks) {
         std::fill_n(noise.begin() + block.first, block.rows(), block.channel);
     }
     return noise;

@@ -17,9 +17,9 @@ constexpr int most_trials = 12;
 constexpr double near = 0.01;
 
 /// One side of one number's profile.
-class Side {
+class ProfileSide {
 public:
-    Side(const LeastSquares& least_squares, Eigen::Index number, double least, double step)
+    ProfileSide(const LeastSquares& least_squares, Eigen::Index number, double least, double step)
         : least_squares_(least_squares), number_(number), least_(least), step_(step) {}
 
     /// @returns the end; `open` when the bound or the last trial is reached first
@@ -105,8 +105,8 @@ void profile_intervals(const LeastSquares& least_squares, Identification& result
         const double step =
             std::isfinite(one.standard_deviation) ? one.standard_deviation : least_squares.scale[number];
         one.high_is_open = one.low_is_open = false;
-        one.high = Side(least_squares, number, least, step).find(one.high_is_open);
-        one.low = Side(least_squares, number, least, -step).find(one.low_is_open);
+        one.high = ProfileSide(least_squares, number, least, step).find(one.high_is_open);
+        one.low = ProfileSide(least_squares, number, least, -step).find(one.low_is_open);
         one.profiled = true;
         if (one.identifiability == Identifiability::not_determined && !one.low_is_open && !one.high_is_open) {
             one.identifiability = Identifiability::determined;  // the linear interval saw no end, the profile does

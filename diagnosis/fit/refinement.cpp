@@ -59,7 +59,7 @@ Eigen::VectorXd change_by_refinement(const Model& model, const input::Experiment
 
 std::vector<double> largest_changes(const Observations& observations, const Eigen::VectorXd& change) {
     std::vector<double> largest(observations.channels.size(), 0.0);
-    for (const Block& block : observations.blocks) {
+    for (const NoiseBlock& block : observations.blocks) {
         if (block.channel >= 0) {
             double& most = largest[static_cast<std::size_t>(block.channel)];
             most = std::max(most, change(Eigen::seqN(block.first, block.rows())).cwiseAbs().maxCoeff());

@@ -53,7 +53,7 @@ TestMoment HotSpotTracker::moment(const solver::Problem& problem, const std::vec
     return moment;
 }
 
-std::optional<HotSpots> HotSpotTracker::report(const solver::Report::Extreme& hottest) const {
+std::optional<HotSpots> HotSpotTracker::report(const solver::MarchReport::Extreme& hottest) const {
     if (histories_.empty() || histories_.front().rows() == 0) {
         return std::nullopt;
     }

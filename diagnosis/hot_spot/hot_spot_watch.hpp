@@ -25,7 +25,7 @@ public:
     /// After the run. Runs the case again for what the run itself does not tell; the user may end that early.
     /// @param hottest of the run, over all its steps: rows may miss it
     /// @returns nothing where the case asks for nothing, or the run has no row
-    [[nodiscard]] std::optional<HotSpots> report(const solver::Report::Extreme& hottest) const;
+    [[nodiscard]] std::optional<HotSpots> report(const solver::MarchReport::Extreme& hottest) const;
 
 private:
     void add_steps(HotSpots& into) const;

@@ -29,7 +29,7 @@ struct FilterStep {
 /// The filter of one block: it depends on times and noise, not on values, and serves all columns.
 ///   P_1 = sigma_a^2,   F = P + sigma_w^2,   K = P w / F,   P_next = phi^2 P (1 - K) + sigma_a^2 (1 - phi^2)
 /// @returns log |V| of the block
-double filter_of(const Block& block, const Noise& noise, const Eigen::VectorXd& weight,
+double filter_of(const NoiseBlock& block, const Noise& noise, const Eigen::VectorXd& weight,
                  std::vector<FilterStep>& filter) {
     const bool weighted = weight.size() > 0;
     const double total = noise.sigma * noise.sigma;
@@ -58,7 +58,7 @@ double filter_of(const Block& block, const Noise& noise, const Eigen::VectorXd& 
 }
 
 /// Whether the filter of one block serves the next as well: pixels of a camera are read at the same moments.
-bool shares_filter(const Block* last, const Block& block, const Eigen::VectorXd& weight) {
+bool shares_filter(const NoiseBlock* last, const NoiseBlock& block, const Eigen::VectorXd& weight) {
     return last != nullptr && weight.size() == 0 && last->channel == block.channel && last->time == block.time;
 }
 
@@ -79,9 +79,9 @@ void filter_columns(const std::vector<FilterStep>& filter, Eigen::Ref<Eigen::Mat
 
 }  // namespace
 
-double median_interval(std::span<const Block> blocks, int channel) {
+double median_interval(std::span<const NoiseBlock> blocks, int channel) {
     std::vector<double> intervals;
-    for (const Block& block : blocks) {
+    for (const NoiseBlock& block : blocks) {
         for (std::size_t i = 1; block.channel == channel && i < block.time.size(); ++i) {
             intervals.push_back(block.time[i] - block.time[i - 1]);
         }
@@ -91,9 +91,9 @@ double median_interval(std::span<const Block> blocks, int channel) {
 
 double Noise::rho_1s() const { return correlation_time > 0.0 ? std::exp(-1.0 / correlation_time) : 0.0; }
 
-Block series_block(int channel, Eigen::Index first, std::span<const double> time, std::span<const double> value) {
+NoiseBlock series_block(int channel, Eigen::Index first, std::span<const double> time, std::span<const double> value) {
     assert(channel >= 0 && time.size() == value.size());
-    Block block{.channel = channel, .first = first, .time = {}, .standard_deviation = {}, .sample = {}};
+    NoiseBlock block{.channel = channel, .first = first, .time = {}, .standard_deviation = {}, .sample = {}};
     for (std::size_t i = 0; i < time.size(); ++i) {
         if (!std::isnan(value[i])) {
             block.time.push_back(time[i]);
@@ -103,7 +103,7 @@ Block series_block(int channel, Eigen::Index first, std::span<const double> time
     return block;
 }
 
-Block numbers_block(Eigen::Index first, std::vector<double> standard_deviation) {
+NoiseBlock numbers_block(Eigen::Index first, std::vector<double> standard_deviation) {
     return {
         .channel = -1, .first = first, .time = {}, .standard_deviation = std::move(standard_deviation), .sample = {}};
 }
@@ -117,10 +117,10 @@ double change(const Covariance& before, const Covariance& after) {
     return most;
 }
 
-void whiten(std::span<const Block> blocks, const Covariance& covariance, Eigen::Ref<Eigen::MatrixXd> rows) {
+void whiten(std::span<const NoiseBlock> blocks, const Covariance& covariance, Eigen::Ref<Eigen::MatrixXd> rows) {
     std::vector<FilterStep> filter;
-    const Block* last = nullptr;
-    for (const Block& block : blocks) {
+    const NoiseBlock* last = nullptr;
+    for (const NoiseBlock& block : blocks) {
         auto mine = rows.middleRows(block.first, block.rows());
         if (block.channel < 0) {
             for (Eigen::Index i = 0; i < mine.rows(); ++i) {
@@ -143,9 +143,9 @@ void whiten(std::span<const Block> blocks, const Covariance& covariance, Eigen::
     }
 }
 
-void whiten_transposed(std::span<const Block> blocks, const Covariance& covariance, Eigen::MatrixXd& columns) {
+void whiten_transposed(std::span<const NoiseBlock> blocks, const Covariance& covariance, Eigen::MatrixXd& columns) {
     std::vector<FilterStep> filter;
-    for (const Block& block : blocks) {
+    for (const NoiseBlock& block : blocks) {
         auto mine = columns.middleRows(block.first, block.rows());
         if (block.channel < 0) {
             for (Eigen::Index i = 0; i < mine.rows(); ++i) {
@@ -164,12 +164,12 @@ void whiten_transposed(std::span<const Block> blocks, const Covariance& covarian
     }
 }
 
-double log_determinant(std::span<const Block> blocks, const Covariance& covariance) {
+double log_determinant(std::span<const NoiseBlock> blocks, const Covariance& covariance) {
     std::vector<FilterStep> filter;
     double sum = 0.0;
     double of_block = 0.0;
-    const Block* last = nullptr;
-    for (const Block& block : blocks) {
+    const NoiseBlock* last = nullptr;
+    for (const NoiseBlock& block : blocks) {
         if (block.channel >= 0) {
             if (!shares_filter(last, block, covariance.weight)) {
                 of_block = filter_of(block, covariance.channels[static_cast<std::size_t>(block.channel)],

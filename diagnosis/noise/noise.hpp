@@ -26,7 +26,7 @@ struct Noise {
 
 /// Consecutive rows of a stack of residuals that share their noise: the samples of one channel in one run, or single
 /// numbers, each with its own stated uncertainty and independent of all others. Blocks are independent of each other.
-struct Block {
+struct NoiseBlock {
     int channel = -1;          ///< whose noise; -1: single numbers
     Eigen::Index first = 0;    ///< row of its first entry
     std::vector<double> time;  ///< [n] s, strictly ascending, of a channel's samples; any gap is a long interval
@@ -39,11 +39,11 @@ struct Block {
 };
 
 /// The rows of a channel in a run. A sample that is missing (NaN) has no row.
-[[nodiscard]] Block series_block(int channel, Eigen::Index first, std::span<const double> time,
-                                 std::span<const double> value);
+[[nodiscard]] NoiseBlock series_block(int channel, Eigen::Index first, std::span<const double> time,
+                                      std::span<const double> value);
 /// The median interval between the samples of a channel, s; 0 with fewer than two.
-[[nodiscard]] double median_interval(std::span<const Block> blocks, int channel);
-[[nodiscard]] Block numbers_block(Eigen::Index first, std::vector<double> standard_deviation);
+[[nodiscard]] double median_interval(std::span<const NoiseBlock> blocks, int channel);
+[[nodiscard]] NoiseBlock numbers_block(Eigen::Index first, std::vector<double> standard_deviation);
 
 /// Covariance matrix V of stacked residuals, never formed.
 struct Covariance {
@@ -64,13 +64,13 @@ inline constexpr double huber_threshold = 1.345;
 /// Multiplies each column by V^-1/2, so that its noise has unit variance and no correlation. A scalar Kalman filter runs
 /// along each block with all columns at once; the result is that of the Cholesky factor of V.
 /// @param rows [n_rows][any] in and out; all finite. Rows of no block stay as they are
-void whiten(std::span<const Block> blocks, const Covariance& covariance, Eigen::Ref<Eigen::MatrixXd> rows);
+void whiten(std::span<const NoiseBlock> blocks, const Covariance& covariance, Eigen::Ref<Eigen::MatrixXd> rows);
 
 /// Multiplies each column by the transpose of V^-1/2 (that of `whiten`): the filter backwards in time, so that both after
 /// each other make V^-1.
-void whiten_transposed(std::span<const Block> blocks, const Covariance& covariance, Eigen::MatrixXd& columns);
+void whiten_transposed(std::span<const NoiseBlock> blocks, const Covariance& covariance, Eigen::MatrixXd& columns);
 
 /// log |V|.
-[[nodiscard]] double log_determinant(std::span<const Block> blocks, const Covariance& covariance);
+[[nodiscard]] double log_determinant(std::span<const NoiseBlock> blocks, const Covariance& covariance);
 
 }  // namespace tiretherm::diagnosis

@@ -13,14 +13,14 @@ std::vector<Eigen::Index> independent_columns(const NoiseProblem& problem) {
     Eigen::VectorXd scale = Eigen::VectorXd::Ones(problem.residual.size());
     std::vector<double> squares(problem.data_sheet.size(), 0.0);
     std::vector<double> rows(problem.data_sheet.size(), 0.0);
-    for (const Block& block : problem.blocks) {
+    for (const NoiseBlock& block : problem.blocks) {
         if (block.channel >= 0) {
             squares[static_cast<std::size_t>(block.channel)] +=
                 problem.residual.segment(block.first, block.rows()).squaredNorm();
             rows[static_cast<std::size_t>(block.channel)] += static_cast<double>(block.rows());
         }
     }
-    for (const Block& block : problem.blocks) {
+    for (const NoiseBlock& block : problem.blocks) {
         for (Eigen::Index i = 0; i < block.rows(); ++i) {
             const double size = block.channel < 0 ? block.standard_deviation[static_cast<std::size_t>(i)]
                                                   : std::sqrt(squares[static_cast<std::size_t>(block.channel)] /

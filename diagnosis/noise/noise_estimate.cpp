@@ -123,7 +123,7 @@ void Estimation::reweigh() {
     Eigen::VectorXd weight = Eigen::VectorXd::Ones(v.rows());
     whiten(problem.blocks, covariance, v);
     const double spread = covariance.weight.size() > 0 ? std::erf(huber_threshold / std::sqrt(2.0)) : 1.0;
-    for (const Block& block : problem.blocks) {
+    for (const NoiseBlock& block : problem.blocks) {
         for (Eigen::Index i = block.first; block.channel >= 0 && i < block.first + block.rows(); ++i) {
             const double counted = covariance.weight.size() > 0 ? covariance.weight[i] : 1.0;
             weight[i] = std::min(1.0, huber_threshold / std::abs(v(i, 0) * std::sqrt(spread / counted)));

@@ -18,7 +18,7 @@ enum class NoiseModel : std::uint8_t { correlated, white };
 
 /// Residuals whose noise is to be estimated, and all that may hide in them beside noise.
 struct NoiseProblem {
-    const std::vector<Block>& blocks;
+    const std::vector<NoiseBlock>& blocks;
     const Eigen::VectorXd& residual;  ///< [n_rows] measured - simulated, or the other way round
     const Eigen::MatrixXd& span;  ///< [n_rows][n_columns] sensitivities to parameters and to all effects in question
     const Eigen::VectorXd& precision;  ///< [n_columns] 1 / prior variance of each column's factor around 0; 0: unknown

@@ -38,7 +38,7 @@ NoiseLikelihood::NoiseLikelihood(const NoiseProblem& problem, const std::vector<
         const double length = std::hypot(problem.span.col(column).norm(), std::sqrt(problem.precision[column]));
         length_[j] = length > 0.0 ? length : 1.0;
     }
-    const auto fill = [&](auto&& rows, const Block& block) {
+    const auto fill = [&](auto&& rows, const NoiseBlock& block) {
         for (Eigen::Index j = 0; j < n; ++j) {
             rows.col(j) =
                 problem.span.col(columns_[static_cast<std::size_t>(j)]).segment(block.first, block.rows()) / length_[j];
@@ -51,9 +51,9 @@ NoiseLikelihood::NoiseLikelihood(const NoiseProblem& problem, const std::vector<
         known_(j, j) = problem.precision[columns_[static_cast<std::size_t>(j)]] / (length_[j] * length_[j]);
     }
     std::vector<Eigen::Index> size(parts_.size(), 0);
-    for (const Block& block : problem.blocks) {
+    for (const NoiseBlock& block : problem.blocks) {
         if (block.channel < 0) {
-            Block numbers = block;
+            NoiseBlock numbers = block;
             Eigen::MatrixXd rows(block.rows(), n + 1);
             fill(rows, block);
             numbers.first = 0;
@@ -69,7 +69,7 @@ NoiseLikelihood::NoiseLikelihood(const NoiseProblem& problem, const std::vector<
         parts_[c].products = Eigen::MatrixXd::Zero(n + 1, n + 1);
         covariance_.channels.push_back({.sigma = 1.0, .correlation_time = 0.0, .white_share = 1.0});
     }
-    for (const Block& block : problem.blocks) {
+    for (const NoiseBlock& block : problem.blocks) {
         if (block.channel >= 0) {
             Part& part = parts_[static_cast<std::size_t>(block.channel)];
             const auto first = static_cast<Eigen::Index>(part.row.size());
@@ -219,7 +219,7 @@ double NoiseLikelihood::median_interval(std::size_t channel) const {
 
 double NoiseLikelihood::longest_run(std::size_t channel) const {
     double longest = 0.0;
-    for (const Block& block : parts_[channel].blocks) {
+    for (const NoiseBlock& block : parts_[channel].blocks) {
         longest = std::max(longest, block.time.empty() ? 0.0 : block.time.back() - block.time.front());
     }
     return longest;

@@ -53,9 +53,9 @@ public:
 private:
     /// The rows of one channel.
     struct Part {
-        std::vector<Block> blocks;      ///< of rows that are counted within the part
-        std::vector<Eigen::Index> row;  ///< of the problem
-        Eigen::MatrixXd data;           ///< [n_rows][n_columns + 1] span and residual
+        std::vector<NoiseBlock> blocks;  ///< of rows that are counted within the part
+        std::vector<Eigen::Index> row;   ///< of the problem
+        Eigen::MatrixXd data;            ///< [n_rows][n_columns + 1] span and residual
         Eigen::VectorXd weight;
         Eigen::MatrixXd products;  ///< G_c
         double log_determinant = 0.0;

@@ -8,7 +8,7 @@
 
 namespace tiretherm::diagnosis {
 
-Covariance white_equivalent(const Covariance& covariance, std::span<const Block> blocks) {
+Covariance white_equivalent(const Covariance& covariance, std::span<const NoiseBlock> blocks) {
     Covariance white = covariance;
     for (std::size_t c = 0; c < white.channels.size(); ++c) {
         Noise& noise = white.channels[c];
@@ -23,10 +23,10 @@ Covariance white_equivalent(const Covariance& covariance, std::span<const Block>
     return white;
 }
 
-double time_scale(const Eigen::VectorXd& left, std::span<const Block> blocks, int channel) {
+double time_scale(const Eigen::VectorXd& left, std::span<const NoiseBlock> blocks, int channel) {
     double longest = 0.0;
     double weight = 0.0;
-    for (const Block& block : blocks) {
+    for (const NoiseBlock& block : blocks) {
         if (block.channel != channel || block.rows() < 10) {
             continue;
         }
@@ -51,7 +51,7 @@ double time_scale(const Eigen::VectorXd& left, std::span<const Block> blocks, in
     return weight > 0.0 ? longest / weight : 0.0;
 }
 
-Covariance white_noise_of(const Eigen::VectorXd& left, std::span<const Block> blocks, std::size_t n_channels) {
+Covariance white_noise_of(const Eigen::VectorXd& left, std::span<const NoiseBlock> blocks, std::size_t n_channels) {
     constexpr double least = 1e-9;  // of readings that are met exactly
     Covariance white;
     double fewer = 0.0;  // logarithm, mean over the channels
@@ -59,7 +59,7 @@ Covariance white_noise_of(const Eigen::VectorXd& left, std::span<const Block> bl
         const auto channel = static_cast<int>(c);
         double square = 0.0;
         Eigen::Index rows = 0;
-        for (const Block& block : blocks) {
+        for (const NoiseBlock& block : blocks) {
             if (block.channel == channel) {
                 square += left.segment(block.first, block.rows()).squaredNorm();
                 rows += block.rows();

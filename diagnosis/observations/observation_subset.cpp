@@ -19,13 +19,13 @@ Observations subset(const Observations& observations, const RowIndices& rows) {
     for (const Eigen::Index row : rows) {
         some.rows.push_back(observations.rows[static_cast<std::size_t>(row)]);
     }
-    for (const Block& block : observations.blocks) {
+    for (const NoiseBlock& block : observations.blocks) {
         const auto from = std::ranges::lower_bound(rows, block.first);
         const auto to = std::ranges::lower_bound(rows, block.first + block.rows());
         if (from == to) {
             continue;
         }
-        Block part{
+        NoiseBlock part{
             .channel = block.channel, .first = from - rows.begin(), .time = {}, .standard_deviation = {}, .sample = {}};
         for (auto row = from; row != to; ++row) {
             const auto i = static_cast<std::size_t>(*row - block.first);

@@ -29,7 +29,7 @@ struct Observations {
         std::size_t time = 0;     ///< index into `times` of the run
         int image = -1;           ///< index into `images`; -1: a channel as it is
     };
-    std::vector<Block> blocks;
+    std::vector<NoiseBlock> blocks;
     std::vector<Row> rows;
     Eigen::VectorXd measured;                ///< [n_rows] SI
     std::vector<std::vector<double>> times;  ///< [n_runs] s, ascending: when the run is asked

@@ -60,7 +60,7 @@ bool Judge::matters(std::size_t addition) const {
 std::vector<double> Judge::scores(const std::vector<double>& changes) const {
     std::vector<double> found(counts_.size(), 0.0);
     for (std::size_t r = 0; r < counts_.size(); ++r) {
-        const Row& row = numbers_.rows[r];
+        const QuotedResult& row = numbers_.rows[r];
         found[r] = counts_[r] ? row.residual(row.value + changes[r]) / row.total() : 0.0;
     }
     return found;

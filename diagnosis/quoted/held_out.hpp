@@ -13,7 +13,7 @@
 namespace tiretherm::diagnosis::quoted {
 
 /// A share with its 95 % interval.
-struct Share {
+struct ShareInterval {
     double value = 0.0;
     double low = 0.0;
     double high = 0.0;
@@ -36,7 +36,7 @@ struct HeldOut {
     double rms_after = 0.0;
     double kelvin_before = 0.0;  ///< of the temperatures and their differences
     double kelvin_after = 0.0;
-    Share removed{};  ///< 1 - after/before of the rms; the interval by a bootstrap over experiments
+    ShareInterval removed{};  ///< 1 - after/before of the rms; the interval by a bootstrap over experiments
     std::vector<std::size_t>
         better{};  ///< experiments whose own rms falls by more than a tenth of the total uncertainty
 };

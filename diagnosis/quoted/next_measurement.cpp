@@ -16,19 +16,20 @@ constexpr std::size_t most_rivals = 4;
 constexpr double little_left = 0.7;  ///< of the rms that a rival may leave where it is fitted
 
 /// The explanations that are compared: those that cannot be told apart, or else those that fit best.
-std::vector<const Attempt*> rivals_of(const Analysis& analysis) {
-    const bool any_set = std::ranges::count_if(analysis.attempts, &Attempt::in_set) > 1;
-    std::vector<const Attempt*> all;
-    for (const Attempt& attempt : analysis.attempts) {
+std::vector<const SingleAddition*> rivals_of(const Analysis& analysis) {
+    const bool any_set = std::ranges::count_if(analysis.attempts, &SingleAddition::in_set) > 1;
+    std::vector<const SingleAddition*> all;
+    for (const SingleAddition& attempt : analysis.attempts) {
         if (any_set ? attempt.in_set : attempt.rms_fitted < little_left * analysis.rms) {
             all.push_back(&attempt);
         }
     }
-    std::ranges::stable_sort(all, [](const Attempt* a, const Attempt* b) { return a->rms_fitted < b->rms_fitted; });
-    std::vector<const Attempt*> found;
-    for (const Attempt* attempt : all) {
+    std::ranges::stable_sort(
+        all, [](const SingleAddition* a, const SingleAddition* b) { return a->rms_fitted < b->rms_fitted; });
+    std::vector<const SingleAddition*> found;
+    for (const SingleAddition* attempt : all) {
         const bool is_new = std::ranges::none_of(
-            found, [&](const Attempt* one) { return one->addition.is_same_cause(attempt->addition); });
+            found, [&](const SingleAddition* one) { return one->addition.is_same_cause(attempt->addition); });
         if (is_new && found.size() < most_rivals) {
             found.push_back(attempt);
         }
@@ -39,7 +40,7 @@ std::vector<const Attempt*> rivals_of(const Analysis& analysis) {
 /// The median of the uncertainties of temperatures, K.
 double achievable(const Numbers& numbers) {
     std::vector<double> all;
-    for (const Row& row : numbers.rows) {
+    for (const QuotedResult& row : numbers.rows) {
         if (row.is_temperature() && !row.is_open) {
             all.push_back(row.uncertainty);
         }
@@ -48,11 +49,11 @@ double achievable(const Numbers& numbers) {
 }
 
 /// The input whose knowledge adds most to chi squared between two explanations.
-void find_input(const Numbers& numbers, const Attempt& one, const Attempt& other, NextMeasurement& next) {
+void find_input(const Numbers& numbers, const SingleAddition& one, const SingleAddition& other, NextMeasurement& next) {
     for (const UnknownInput& input : numbers.inputs) {
         double gain = 0.0;
         for (std::size_t r = 0; r < numbers.rows.size(); ++r) {
-            const Row& row = numbers.rows[r];
+            const QuotedResult& row = numbers.rows[r];
             const double variance = row.total() * row.total();
             const double without = std::max(row.uncertainty * row.uncertainty, variance - input.covariance(r, r));
             const double apart =
@@ -70,18 +71,18 @@ void find_input(const Numbers& numbers, const Attempt& one, const Attempt& other
 
 std::optional<NextMeasurement> next_measurement(const Numbers& numbers, const Analysis& decidable, const Analysis& all,
                                                 Trials& trials) {
-    std::vector<const Attempt*> rivals = rivals_of(decidable);
+    std::vector<const SingleAddition*> rivals = rivals_of(decidable);
     rivals = rivals.size() < 2 ? rivals_of(all) : rivals;
     if (rivals.size() < 2) {
         return std::nullopt;
     }
     std::vector<std::vector<ChannelEnd>> ends;
-    for (const Attempt* rival : rivals) {
+    for (const SingleAddition* rival : rivals) {
         ends.push_back(trials.ends({{.addition = &rival->addition, .value = rival->fit.values.front()}}));
     }
     NextMeasurement next{.uncertainty = achievable(numbers)};
-    const Attempt* one = nullptr;
-    const Attempt* other = nullptr;
+    const SingleAddition* one = nullptr;
+    const SingleAddition* other = nullptr;
     double widest = 0.0;
     for (std::size_t a = 0; a < rivals.size(); ++a) {
         for (std::size_t b = a + 1; b < rivals.size(); ++b) {

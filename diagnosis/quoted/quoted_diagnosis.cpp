@@ -33,7 +33,7 @@ double significance_of(double chi_squared, double n) {
 double freedom(const Numbers& numbers, const std::vector<bool>& counts, const std::vector<double>& scores) {
     double n = 0.0;
     for (std::size_t r = 0; r < counts.size(); ++r) {
-        const Row& row = numbers.rows[r];
+        const QuotedResult& row = numbers.rows[r];
         n += counts[r] && (row.low == row.high || scores[r] != 0.0) ? 1.0 : 0.0;
     }
     return n;
@@ -77,7 +77,7 @@ private:
                 ++result.without_effect;
                 continue;
             }
-            Attempt attempt{.addition = alone_[a], .fit = judge.fit({a}, {}), .held_out = judge.held_out({a})};
+            SingleAddition attempt{.addition = alone_[a], .fit = judge.fit({a}, {}), .held_out = judge.held_out({a})};
             const std::vector<double> scores = judge.scores(attempt.fit.changes);
             attempt.rms_fitted = judge.rms(attempt.fit.changes);
             attempt.fits =
@@ -86,7 +86,7 @@ private:
             result.attempts.push_back(std::move(attempt));
         }
         // By whole per cent; what removes alike much stands by how well it fits.
-        std::ranges::stable_sort(result.attempts, [](const Attempt& a, const Attempt& b) {
+        std::ranges::stable_sort(result.attempts, [](const SingleAddition& a, const SingleAddition& b) {
             const long more = std::lround(100.0 * a.held_out.removed.value);
             const long less = std::lround(100.0 * b.held_out.removed.value);
             return more != less ? more > less : a.rms_fitted < b.rms_fitted;
@@ -113,7 +113,7 @@ private:
         const bool is_fine =
             std::ranges::any_of(chosen_, [](const Addition& one) { return one.kind == AdditionKind::mesh; });
         std::size_t tried = 0;
-        for (const Attempt& attempt : result.attempts) {
+        for (const SingleAddition& attempt : result.attempts) {
             const bool is_known =
                 std::ranges::any_of(chosen_, [&](const Addition& one) { return one.is_same_cause(attempt.addition); });
             if (is_known || solver::stop_requested()) {
@@ -200,7 +200,7 @@ private:
     /// All that fit the rows nearly as well as what was accepted, each member exchanged for another addition in turn.
     void find_set(Analysis& result) {
         std::vector<Addition> all = chosen_;
-        for (const Attempt& attempt : result.attempts) {
+        for (const SingleAddition& attempt : result.attempts) {
             all.push_back(attempt.addition);
         }
         const Judge judge(numbers_, result.counts, all);
@@ -228,7 +228,7 @@ private:
                 }
             }
         }
-        for (Attempt& attempt : result.attempts) {
+        for (SingleAddition& attempt : result.attempts) {
             attempt.in_set = attempt.in_set || std::ranges::any_of(chosen_, [&](const Addition& one) {
                                  return one.name() == attempt.addition.name();
                              });
@@ -260,7 +260,7 @@ QuotedDiagnosis diagnose_quoted(const input::Validation& validation, Trials& tri
         }
     }
     std::vector<bool> decidable;
-    for (const Row& row : result.numbers.rows) {
+    for (const QuotedResult& row : result.numbers.rows) {
         decidable.push_back(row.decidable);
     }
     Analyst analyst(result.numbers, alone, trials, request.most_steps);

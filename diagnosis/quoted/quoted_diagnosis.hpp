@@ -15,7 +15,7 @@
 namespace tiretherm::diagnosis::quoted {
 
 /// One addition by itself.
-struct Attempt {
+struct SingleAddition {
     Addition addition;
     AdditionFit fit{};  ///< to all experiments
     HeldOut held_out{};
@@ -25,7 +25,7 @@ struct Attempt {
 };
 
 /// An addition that was accepted, beside those before it.
-struct Step {
+struct AcceptedAddition {
     Addition addition;
     HeldOut held_out{};  ///< of all so far, over the base
     HeldOut further{};   ///< the same over the step before
@@ -41,10 +41,10 @@ struct Analysis {
     double rms = 0.0;                        ///< of the model as it is, in total uncertainties
     double kelvin = 0.0;
     double chi_squared = 0.0;
-    double significance = 0.0;        ///< standard deviations by which chi squared is too large
-    std::vector<Attempt> attempts{};  ///< the best first
-    std::size_t without_effect = 0;   ///< additions that move no row that counts
-    std::vector<Step> steps{};
+    double significance = 0.0;               ///< standard deviations by which chi squared is too large
+    std::vector<SingleAddition> attempts{};  ///< the best first
+    std::size_t without_effect = 0;          ///< additions that move no row that counts
+    std::vector<AcceptedAddition> steps{};
     AdditionFit fit{};             ///< of all steps' numbers, to all experiments
     std::vector<double> after{};   ///< [rows] changes with all steps, simulated together
     double surrogate_error = 0.0;  ///< largest difference of that from the fit's, total uncertainties

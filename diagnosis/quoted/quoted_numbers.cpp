@@ -76,7 +76,7 @@ void add_changes(UnknownInput& input, const InputEffect& effect, std::size_t mod
 }
 
 /// Which experiment each row belongs to: rows of one id, and rows that read one run, are of the same.
-std::vector<std::size_t> experiments_of(const std::vector<Row>& rows,
+std::vector<std::size_t> experiments_of(const std::vector<QuotedResult>& rows,
                                         const std::vector<std::vector<std::size_t>>& runs) {
     std::vector<std::size_t> group(runs.size());
     std::iota(group.begin(), group.end(), std::size_t{0});
@@ -102,7 +102,7 @@ void name_experiments(Numbers& numbers, const std::vector<std::size_t>& groups) 
     std::map<std::size_t, std::size_t> index;
     std::vector<std::vector<std::string>> ids;
     for (std::size_t r = 0; r < numbers.rows.size(); ++r) {
-        Row& row = numbers.rows[r];
+        QuotedResult& row = numbers.rows[r];
         row.experiment = index.try_emplace(groups[r], index.size()).first->second;
         ids.resize(index.size());
         ids[row.experiment].push_back(row.id);
@@ -114,9 +114,9 @@ void name_experiments(Numbers& numbers, const std::vector<std::size_t>& groups) 
 
 }  // namespace
 
-double Row::total() const { return std::hypot(uncertainty, spread); }
+double QuotedResult::total() const { return std::hypot(uncertainty, spread); }
 
-double Row::residual(double simulated) const { return simulated - std::clamp(simulated, low, high); }
+double QuotedResult::residual(double simulated) const { return simulated - std::clamp(simulated, low, high); }
 
 double UnknownInput::covariance(std::size_t row, std::size_t other) const {
     double sum = 0.0;

@@ -16,7 +16,7 @@
 namespace tiretherm::diagnosis::quoted {
 
 /// A quoted number and what the model says of it, in the unit in which it is shown.
-struct Row {
+struct QuotedResult {
     std::size_t number = 0;  ///< index into Validation::numbers and into the rows of the table
     std::string id;
     std::string what;
@@ -54,7 +54,7 @@ struct UnknownInput {
 
 /// All numbers of a table that one model gives and that were measured.
 struct Numbers {
-    std::vector<Row> rows;
+    std::vector<QuotedResult> rows;
     std::vector<std::string> experiments;  ///< "M4, M5, M14": ids whose numbers are read from the same tests
     std::vector<UnknownInput> inputs;
     std::size_t without_scale = 0;    ///< numbers left out: an order in a unit in which no uncertainty is stated

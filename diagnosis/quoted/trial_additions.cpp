@@ -40,7 +40,7 @@ std::vector<Addition> Trials::additions(const Numbers& numbers) const {
         }
     }
     std::vector<std::pair<std::string, std::string>> sensors;  // name, first word of the source
-    for (const Row& row : numbers.rows) {
+    for (const QuotedResult& row : numbers.rows) {
         const input::Readout& readout = validation_.numbers[row.number].models[model_]->of.of;
         const solver::Channel& channel = validation_.runs[readout.run].problem.channels[readout.channel];
         const std::pair<std::string, std::string> sensor{instrument_of(channel.name), source_word(row.number)};

@@ -180,7 +180,7 @@ std::vector<std::optional<double>> Trials::values(const RunResults& results, std
                                                   const Numbers& numbers) const {
     const std::vector<ValidationRow> table = validation_rows(validation_, results);
     std::vector<std::optional<double>> found;
-    for (const Row& row : numbers.rows) {
+    for (const QuotedResult& row : numbers.rows) {
         found.push_back(table[row.number].models[model].value);
     }
     return found;
@@ -192,7 +192,7 @@ std::vector<double> Trials::together(const std::vector<Applied>& applied, const 
     const std::vector<std::optional<double>> now = values(results, model, numbers);
     std::vector<double> changes(numbers.rows.size(), 0.0);
     for (std::size_t r = 0; r < changes.size(); ++r) {
-        const Row& row = numbers.rows[r];
+        const QuotedResult& row = numbers.rows[r];
         if (!now[r] && validation_.numbers[row.number].models[model]) {
             return {};
         }

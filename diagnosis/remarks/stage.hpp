@@ -30,7 +30,7 @@ enum class Work : std::uint8_t {
 };
 
 /// What is being done: candidate 7 of 23, sidewall_convection.
-struct Stage {
+struct Activity {
     Work doing = Work::none;
     std::string of{};        ///< "sidewall_convection"; empty where there is nothing to name
     std::size_t number = 0;  ///< of `count` equal pieces of work, from 1; 0: it is one piece, as long as it takes
@@ -41,6 +41,6 @@ struct Stage {
 };
 
 /// Progress: the stage, and how many runs were simulated so far.
-using Progress = std::function<void(const Stage& stage, long simulations)>;
+using Progress = std::function<void(const Activity& stage, long simulations)>;
 
 }  // namespace tiretherm::diagnosis

@@ -48,11 +48,11 @@ private:
 
 diagnosis::StudyOutcome outcome_of(const solver::Problem& problem, const solver::RunEnd& run_end,
                                    std::vector<diagnosis::StudyOutcome::Part> parts) {
-    const solver::Report& report = run_end.report;
+    const solver::MarchReport& report = run_end.report;
     if (!run_end.failure.empty()) {
         return {.failure = run_end.failure};
     }
-    const solver::Report::Extreme& hottest = report.hottest;
+    const solver::MarchReport::Extreme& hottest = report.hottest;
     const mesh::Place place = mesh::place_of(problem.mesh, hottest.node);
     return {.failure = {},
             .hottest = hottest.temperature,

@@ -20,7 +20,7 @@ struct Task {
     std::size_t run;
 };
 
-void fill(WhatIfRow& row, const solver::RunEnd& end, const solver::Report& base) {
+void fill(WhatIfRow& row, const solver::RunEnd& end, const solver::MarchReport& base) {
     row.failure = end.failure;
     if (!end.failure.empty()) {
         return;
@@ -58,7 +58,7 @@ bool WhatIfRow::moves_nothing() const {
 }
 
 WhatIf what_if(const std::vector<input::ChangedRuns>& changes, const std::vector<const solver::Problem*>& base,
-               const std::vector<const solver::Report*>& reports) {
+               const std::vector<const solver::MarchReport*>& reports) {
     WhatIf answer;
     std::vector<Task> tasks;
     for (const input::ChangedRuns& change : changes) {

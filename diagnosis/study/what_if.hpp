@@ -36,6 +36,6 @@ struct WhatIf {
 /// @param base [runs] of the case as it stands  @param reports [runs] what they came to
 [[nodiscard]] WhatIf what_if(const std::vector<input::ChangedRuns>& changes,
                              const std::vector<const solver::Problem*>& base,
-                             const std::vector<const solver::Report*>& reports);
+                             const std::vector<const solver::MarchReport*>& reports);
 
 }  // namespace tiretherm::diagnosis

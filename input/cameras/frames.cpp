@@ -20,12 +20,12 @@ namespace tiretherm::input {
 namespace {
 
 /// A camera's part of the image: first and last row and column.
-struct Window {
+struct ImageWindow {
     std::array<int, 2> rows{};
     std::array<int, 2> columns{};
 };
 
-std::optional<Window> window_of(const Camera& camera, const FrameFile& file, InputErrors& errors) {
+std::optional<ImageWindow> window_of(const Camera& camera, const FrameFile& file, InputErrors& errors) {
     const std::array<int, 2> rows = camera.rows.value_or(std::array{0, file.rows - 1});
     const std::array<int, 2> columns = camera.columns.value_or(std::array{0, file.columns - 1});
     bool sound = true;
@@ -39,7 +39,7 @@ std::optional<Window> window_of(const Camera& camera, const FrameFile& file, Inp
             sound = false;
         }
     }
-    return sound ? std::optional(Window{.rows = rows, .columns = columns}) : std::nullopt;
+    return sound ? std::optional(ImageWindow{.rows = rows, .columns = columns}) : std::nullopt;
 }
 
 /// Detectors that have a value in every frame of the run. @returns [rows * columns], empty after an error
@@ -63,7 +63,7 @@ std::vector<bool> alive_in(const FrameFile& file, const std::vector<std::size_t>
 }
 
 /// Bins of living detectors that see nothing but the specimen; one with less than half of its detectors is left out.
-void find_pixels(const Camera& camera, const Window& window, const std::vector<bool>& alive,
+void find_pixels(const Camera& camera, const ImageWindow& window, const std::vector<bool>& alive,
                  const solver::Problem& problem, MeasuredFrames& into) {
     const physics::SeenSurface surface(problem.mesh, camera.patch);
     const physics::CameraPose pose = physics::pose_of(problem.effects[camera.pose]);
@@ -142,7 +142,7 @@ void read_one(const Camera& camera, const FramesOfRun& named, const RunInputs* i
         errors.add(named.place, fmt::format("the size of a pixel of {} on the specimen is not given", camera.name),
                    "add pixel_size = \"0.5 mm\" to the [[camera]], or the attribute pixel_size to the file's frames");
     }
-    const std::optional<Window> window = window_of(camera, *file, errors);
+    const std::optional<ImageWindow> window = window_of(camera, *file, errors);
     std::vector<std::size_t> frames;
     const solver::Settings& settings = problem.settings;
     const double from = settings.start + (inputs != nullptr ? inputs->lead : 0.0);

@@ -26,7 +26,7 @@ constexpr double slow = 0.05;         ///< roughness of what has no jumps and li
 constexpr double leads = 0.02;        ///< gain of the correlation by a shift that says that one comes before the other
 constexpr double hotter = 30.0;       ///< K above every sensor of the tire: something else's temperature
 
-struct Verdict {
+struct ColumnVerdict {
     ColumnKind kind = ColumnKind::drive;
     std::string reason{};
 };
@@ -37,7 +37,7 @@ struct UnusedColumn {
     std::string unit;
     std::vector<UnusedSignal*> in{};  ///< [n_runs] null where the run does not have it
     Course course{};
-    std::optional<Verdict> verdict{};
+    std::optional<ColumnVerdict> verdict{};
 };
 
 /// The unused columns of all runs, each once, without their courses.
@@ -94,7 +94,7 @@ std::string number(double r) { return fmt::format("r = {:.4f}", r); }
 
 /// Of a temperature: whose it is, by its name, and where that says nothing by whether it comes before all sensors of the tire
 /// and is hotter than any of them, as a brake or an exhaust.
-Verdict judge_temperature(const UnusedColumn& column, const std::vector<Reference>& sensors) {
+ColumnVerdict judge_temperature(const UnusedColumn& column, const std::vector<Reference>& sensors) {
     if (const std::string word = word_of_tire(column.name); !word.empty()) {
         return {ColumnKind::temperature_of_tire, fmt::format("a temperature of the tire by its name ({})", word)};
     }
@@ -120,20 +120,21 @@ Verdict judge_temperature(const UnusedColumn& column, const std::vector<Referenc
             return lead.samples > 1 && std::abs(lead.correlation) > std::abs(lead.together) + leads &&
                    highest(column.course, *kelvin) > highest(sensor.course, {}) + hotter;
         });
-    return outside ? Verdict{ColumnKind::drive, "a temperature that comes before all sensors of the tire and is hotter"}
-                   : Verdict{ColumnKind::temperature_of_tire,
-                             "a temperature, and its name says of nothing that acts on the tire from outside"};
+    return outside ? ColumnVerdict{ColumnKind::drive,
+                                   "a temperature that comes before all sensors of the tire and is hotter"}
+                   : ColumnVerdict{ColumnKind::temperature_of_tire,
+                                   "a temperature, and its name says of nothing that acts on the tire from outside"};
 }
 
 /// By name and unit, and by what needs no other column.
-std::optional<Verdict> judge_alone(const UnusedColumn& column, const std::vector<MeasuredRun>& runs,
-                                   const std::vector<std::vector<double>>& ways,
-                                   const std::vector<Reference>& sensors) {
+std::optional<ColumnVerdict> judge_alone(const UnusedColumn& column, const std::vector<MeasuredRun>& runs,
+                                         const std::vector<std::vector<double>>& ways,
+                                         const std::vector<Reference>& sensors) {
     if (is_constant(column.course)) {
-        return Verdict{ColumnKind::constant, "never changes"};
+        return ColumnVerdict{ColumnKind::constant, "never changes"};
     }
     if (const std::string word = word_of_result(column.name); !word.empty()) {
-        return Verdict{ColumnKind::result, fmt::format("computed, by its name ({})", word)};
+        return ColumnVerdict{ColumnKind::result, fmt::format("computed, by its name ({})", word)};
     }
     if (is_temperature(column.name, column.unit)) {
         return judge_temperature(column, sensors);
@@ -143,41 +144,41 @@ std::optional<Verdict> judge_alone(const UnusedColumn& column, const std::vector
         const std::string word = word_of_tire(column.name);
         return word.empty()
                    ? std::nullopt
-                   : std::optional(Verdict{
+                   : std::optional(ColumnVerdict{
                          ColumnKind::result,
                          fmt::format("a pressure of the tire by its name ({}), which follows its temperature", word)});
     }
     if (const std::string word = word_of_clock(column.name); !word.empty()) {
-        return Verdict{ColumnKind::clock,
-                       fmt::format("a time, a counter, a distance or a place by its name ({})", word)};
+        return ColumnVerdict{ColumnKind::clock,
+                             fmt::format("a time, a counter, a distance or a place by its name ({})", word)};
     }
     if (is_clock(runs, ways, column)) {
-        return Verdict{ColumnKind::clock, "goes evenly with the time or the way, or counts"};
+        return ColumnVerdict{ColumnKind::clock, "goes evenly with the time or the way, or counts"};
     }
     return std::nullopt;
 }
 
 /// Beside inputs and sensors.
-std::optional<Verdict> judge_beside(const UnusedColumn& column, const std::vector<double>& standard,
-                                    const std::vector<Reference>& inputs, const std::vector<Reference>& products,
-                                    const std::vector<Reference>& sensors) {
+std::optional<ColumnVerdict> judge_beside(const UnusedColumn& column, const std::vector<double>& standard,
+                                          const std::vector<Reference>& inputs, const std::vector<Reference>& products,
+                                          const std::vector<Reference>& sensors) {
     for (const std::vector<Reference>* list : {&inputs, &sensors}) {
         for (const Reference& other : *list) {
             if (is_copy(standard, other.standard)) {
-                return Verdict{ColumnKind::copy, fmt::format("a copy of {} ({})", other.name,
-                                                             number(correlation(standard, other.standard)))};
+                return ColumnVerdict{ColumnKind::copy, fmt::format("a copy of {} ({})", other.name,
+                                                                   number(correlation(standard, other.standard)))};
             }
         }
     }
     for (const Reference& product : products) {
         if (is_copy(standard, product.standard)) {
-            return Verdict{ColumnKind::result, fmt::format("follows from inputs: {} ({})", product.name,
-                                                           number(correlation(standard, product.standard)))};
+            return ColumnVerdict{ColumnKind::result, fmt::format("follows from inputs: {} ({})", product.name,
+                                                                 number(correlation(standard, product.standard)))};
         }
     }
     for (const Reference& input : inputs) {
         if (is_function(column.course.value, input.course.value)) {
-            return Verdict{ColumnKind::result, fmt::format("an exact function of {}", input.name)};
+            return ColumnVerdict{ColumnKind::result, fmt::format("an exact function of {}", input.name)};
         }
     }
     const Course own = detrended(column.course);
@@ -189,8 +190,8 @@ std::optional<Verdict> judge_beside(const UnusedColumn& column, const std::vecto
         const Lead lead = lead_of(own, other);
         const bool before = lead.samples > 0 && std::abs(lead.correlation) > std::abs(lead.together) + 0.1 * leads;
         if (std::abs(lead.correlation) > moves_alike && !before) {
-            return Verdict{ColumnKind::temperature_of_tire,
-                           fmt::format("moves like {} ({})", sensor.name, number(lead.correlation))};
+            return ColumnVerdict{ColumnKind::temperature_of_tire,
+                                 fmt::format("moves like {} ({})", sensor.name, number(lead.correlation))};
         }
     }
     return std::nullopt;
@@ -227,11 +228,12 @@ void classify_unused(std::vector<MeasuredRun>& runs) {
             const auto same =
                 std::ranges::find_if(drives, [&](const auto& drive) { return is_copy(standard, drive.second); });
             if (same == drives.end()) {
-                column.verdict = column.verdict.value_or(Verdict{});
+                column.verdict = column.verdict.value_or(ColumnVerdict{});
                 drives.emplace_back(&column, std::move(standard));
             } else {
-                column.verdict = Verdict{ColumnKind::copy, fmt::format("a copy of {} ({})", same->first->name,
-                                                                       number(correlation(standard, same->second)))};
+                column.verdict = ColumnVerdict{
+                    ColumnKind::copy,
+                    fmt::format("a copy of {} ({})", same->first->name, number(correlation(standard, same->second)))};
             }
         }
     }

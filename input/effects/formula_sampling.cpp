@@ -227,9 +227,10 @@ std::vector<double> places_between(double from, double to, int pieces) {
     return places;
 }
 
-class Attempt {
+class SamplingAttempt {
 public:
-    Attempt(const FormulaAtTime& formula, const std::vector<double>& knots, FormulaDetail detail, double jump_share)
+    SamplingAttempt(const FormulaAtTime& formula, const std::vector<double>& knots, FormulaDetail detail,
+                    double jump_share)
         : formula_(&formula), knots_(&knots), detail_(detail), jump_share_(jump_share) {}
 
     /// The tolerance is that of the values first, then what the integral takes.
@@ -311,7 +312,7 @@ FormulaSamples sample_formula(const FormulaAtTime& formula, const std::vector<do
         FormulaDecisions ignored;
         return {.history = {knots, {formula(knots.front(), JumpSide::after, ignored)}}};
     }
-    const Attempt attempt(formula, knots, detail, jump_share);
+    const SamplingAttempt attempt(formula, knots, detail, jump_share);
     int pieces = first_pieces;
     for (int i = 0;; ++i, pieces *= denser) {
         FormulaSamples samples = attempt.with_pieces(pieces);

@@ -29,13 +29,14 @@ namespace tiretherm::input {
 namespace {
 
 /// The samples that have a value, at their times.
-struct Known {
+struct ValidSamples {
     solver::SharedSamples time;
     std::vector<double> value{};
     std::string left_out{};  ///< what is written of a temperature and is none, a sentence; empty: nothing
 };
 
-Known known_of(const DataFile& file, const LogColumn& log, const solver::SharedSamples& time, InputErrors& errors) {
+ValidSamples known_of(const DataFile& file, const LogColumn& log, const solver::SharedSamples& time,
+                      InputErrors& errors) {
     DataFile::Samples samples = file.samples(log.column, time, errors);
     ColumnHead head = file.heads()[static_cast<std::size_t>(log.column)];
     head.heading.unit = log.unit.empty() ? head.heading.unit : log.unit;
@@ -55,7 +56,7 @@ Known known_of(const DataFile& file, const LogColumn& log, const solver::SharedS
 
 /// Rate by the median step, and what is missing at it.
 /// @param rows that could have a value
-void set_rate(ColumnSurvey& column, const Known& known, double from, double to, std::size_t rows) {
+void set_rate(ColumnSurvey& column, const ValidSamples& known, double from, double to, std::size_t rows) {
     column.samples = known.time.size();
     const double step = solver::median_step(known.time);
     if (step == 0.0) {
@@ -70,7 +71,7 @@ void set_rate(ColumnSurvey& column, const Known& known, double from, double to, 
 }
 
 /// The column for the data checks, in SI where its unit is known.
-RecordedColumn recorded_of(const ColumnSurvey& column, const LogColumn& log, Known known) {
+RecordedColumn recorded_of(const ColumnSurvey& column, const LogColumn& log, ValidSamples known) {
     RecordedColumn recorded;
     recorded.name = column.used_as.empty() ? column.name : column.used_as;
     recorded.heading = column.name;
@@ -153,7 +154,7 @@ std::optional<LogSurvey> survey_log(const std::filesystem::path& path, const std
                            .reason = column.reason,
                            .is_dropped = column.is_dropped};
         solver::leave_reading_if_stopped();
-        Known known = known_of(*file, column, time, again);
+        ValidSamples known = known_of(*file, column, time, again);
         if (!column.is_used() && !known.left_out.empty()) {  // of one that is used the reading has said it
             survey.doubts.push_back(known.left_out);
         }

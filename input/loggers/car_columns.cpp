@@ -18,7 +18,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// A rule of column_names.list.
-struct Rule {
+struct NameRule {
     std::string_view name;
     std::string_view first;
     std::string_view second;
@@ -26,19 +26,19 @@ struct Rule {
     std::string_view question{};  ///< what the heading leaves open
 };
 
-std::span<const Rule> rules_of_car() {
+std::span<const NameRule> rules_of_car() {
     using namespace column_words;
     static constexpr std::array rules{
-#define CAR_COLUMN(name, first, second, without) Rule{name, first, second, without},
+#define CAR_COLUMN(name, first, second, without) NameRule{name, first, second, without},
 #include "input/text/column_names.list"
     };
     return rules;
 }
 
-std::span<const Rule> rules_of_corner() {
+std::span<const NameRule> rules_of_corner() {
     using namespace column_words;
     static constexpr std::array rules{
-#define CORNER_COLUMN(name, first, second, without, question) Rule{name, first, second, without, question},
+#define CORNER_COLUMN(name, first, second, without, question) NameRule{name, first, second, without, question},
 #include "input/text/column_names.list"
     };
     return rules;
@@ -52,7 +52,7 @@ bool has_any(const Words& words, std::string_view list) {
     return std::ranges::any_of(words, [&](const std::string& word) { return has_word(list, word); });
 }
 
-bool agrees(const Words& words, const Rule& rule) {
+bool agrees(const Words& words, const NameRule& rule) {
     return has_any(words, rule.first) && (rule.second.empty() || has_any(words, rule.second)) &&
            !has_any(words, rule.without);
 }
@@ -98,7 +98,7 @@ std::string corner_of(const Words& words) {
 /// A reading of one tire: where across the tread, as far as a word says it.
 void add_of_corner(const Words& words, const std::string& corner, std::vector<CarColumn>& found) {
     int rank = 0;
-    for (const Rule& rule : rules_of_corner()) {
+    for (const NameRule& rule : rules_of_corner()) {
         ++rank;
         if (!agrees(words, rule)) {
             continue;
@@ -129,7 +129,7 @@ std::vector<CarColumn> car_columns(std::string_view heading) {
         return found;
     }
     int rank = 0;
-    for (const Rule& rule : rules_of_car()) {
+    for (const NameRule& rule : rules_of_car()) {
         ++rank;
         if (agrees(words, rule)) {
             // Before it knows where it is a GPS makes accelerations of nothing; speeds it has best.

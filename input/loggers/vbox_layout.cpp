@@ -18,7 +18,7 @@ namespace tiretherm::input {
 
 namespace {
 
-struct Section {
+struct VboxSection {
     int line = 0;
     std::vector<CsvLine> lines{};  ///< [channel units] keeps its empty ones
 };
@@ -133,7 +133,7 @@ std::optional<std::vector<std::string_view>> deal_units(const std::vector<CsvLin
 
 /// The file up to its data.
 struct VboxHead {
-    std::map<std::string, Section, std::less<>> sections{};
+    std::map<std::string, VboxSection, std::less<>> sections{};
     int lines = 0;
     bool found_data = false;
 
@@ -147,7 +147,7 @@ struct VboxHead {
 /// @param rest of the text: out, what follows the heading of the data  @param description gets the date
 VboxHead read_head(std::string_view& rest, LogDescription& description) {
     VboxHead head;
-    Section* open = nullptr;
+    VboxSection* open = nullptr;
     while (!head.found_data) {
         const std::optional<std::string_view> line = next_line(rest);
         if (!line) {

@@ -21,13 +21,14 @@ namespace tiretherm::input {
 namespace {
 
 /// What is looked for in each column, in this order. Where the unit is doubted, that an input is unusual follows.
-struct Rule {
+struct ColumnCheck {
     std::string (*look)(const Recording& recording, const RecordedColumn& column);
     bool ends = false;  ///< the rules after it are skipped when it has found something
 };
-constexpr std::array rules{Rule{find_frozen, true}, Rule{find_dead, true},      Rule{find_resampled},
-                           Rule{find_clipped},      Rule{find_stuck},           Rule{find_dead_stretches},
-                           Rule{find_outliers},     Rule{find_unit_slip, true}, Rule{find_unusual}};
+constexpr std::array rules{
+    ColumnCheck{find_frozen, true}, ColumnCheck{find_dead, true},      ColumnCheck{find_resampled},
+    ColumnCheck{find_clipped},      ColumnCheck{find_stuck},           ColumnCheck{find_dead_stretches},
+    ColumnCheck{find_outliers},     ColumnCheck{find_unit_slip, true}, ColumnCheck{find_unusual}};
 
 }  // namespace
 
@@ -88,7 +89,7 @@ std::vector<std::string> find_suspicious(const Recording& recording) {
     }
     for (const RecordedColumn& column : recording.columns) {
         const std::string aside = column.heading == column.name ? "" : fmt::format(" (column {})", column.heading);
-        for (const Rule& rule : rules) {
+        for (const ColumnCheck& rule : rules) {
             solver::leave_reading_if_stopped();
             const std::string sentence = column.value.empty() ? "" : rule.look(recording, column);
             if (!sentence.empty()) {

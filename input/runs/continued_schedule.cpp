@@ -56,13 +56,13 @@ std::optional<SpeedTable> find_speed_table(TomlValue& document) {
 }
 
 /// The last two steps, if the test rises from one to the other at one load; otherwise why it cannot go on.
-struct Pattern {
+struct RisingSteps {
     const solver::ScheduleStep* before = nullptr;
     const solver::ScheduleStep* last = nullptr;
     std::string refusal{};
 };
 
-Pattern pattern_of(std::span<const solver::ScheduleStep> steps) {
+RisingSteps pattern_of(std::span<const solver::ScheduleStep> steps) {
     std::vector<const solver::ScheduleStep*> standing;
     for (const solver::ScheduleStep& step : steps) {
         if (!step.ramp) {
@@ -72,7 +72,7 @@ Pattern pattern_of(std::span<const solver::ScheduleStep> steps) {
     if (steps.empty() || steps.back().ramp || standing.size() < 2) {
         return {.refusal = "the test has no steps of speed that could go on"};
     }
-    const Pattern pattern{.before = standing[standing.size() - 2], .last = standing.back()};
+    const RisingSteps pattern{.before = standing[standing.size() - 2], .last = standing.back()};
     if (!(pattern.last->speed > pattern.before->speed * (1.0 + 1e-9))) {
         return {.refusal = "the speed does not rise from the last step but one to the last"};
     }
@@ -101,7 +101,7 @@ ContinuedSchedule continue_schedule(const HotSpotCase& of, const solver::Setting
     if (std::ranges::any_of(steps, &solver::ScheduleStep::recognised)) {
         return {.refusal = "the speed comes from a log"};
     }
-    const Pattern pattern = pattern_of(steps);
+    const RisingSteps pattern = pattern_of(steps);
     if (!pattern.refusal.empty()) {
         return {.refusal = pattern.refusal};
     }

@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view of_drive = "drive.";
 
 /// A change as it is written.
-struct Step {
+struct WrittenChange {
     bool is_added = false;
     bool is_share = false;
     bool is_value = false;  ///< a number with its unit that takes the value's place
@@ -61,7 +61,7 @@ std::optional<ChangeText> cut(const std::string& text, int file, InputErrors& er
         .change = {trimmed(text.substr(equals + 1)), place_at(file, equals + 3, text.size() - equals - 1)}};
 }
 
-std::optional<Step> step_of(const LocatedString& change, const std::string& sign, InputErrors& errors) {
+std::optional<WrittenChange> step_of(const LocatedString& change, const std::string& sign, InputErrors& errors) {
     const std::string rest =
         sign.empty() ? change.text : trimmed(change.text.substr(change.text.find_first_not_of("+-")));
     const std::optional<Number> number = leading_number(rest);
@@ -74,7 +74,7 @@ std::optional<Step> step_of(const LocatedString& change, const std::string& sign
             change.place, fmt::format("\"{}\" is no number with a unit", change.text),
             "write such as \"+0.1 bar\", \"-5 K\" or \"+10 %\"; a value without a sign takes the place of the case's");
     }
-    std::optional<Step> step(std::in_place);
+    std::optional<WrittenChange> step(std::in_place);
     step->text = sign + rest;
     step->is_added = !sign.empty();
     step->is_share = is_share;
@@ -101,7 +101,7 @@ std::pair<double, double> range_of(const solver::InputSignals& inputs, const phy
 }
 
 /// Moves an input of the tire in all of its course, or gives it one value.
-void move_input(const physics::Signal& signal, const Step& step, ChangedRuns& into,
+void move_input(const physics::Signal& signal, const WrittenChange& step, ChangedRuns& into,
                 const std::vector<RunOfCase>& chosen, InputErrors& errors) {
     double by = 0.01 * step.measure.number;
     if (!step.is_share) {
@@ -129,7 +129,8 @@ void move_input(const physics::Signal& signal, const Step& step, ChangedRuns& in
 }
 
 /// The value of the case with the step added.
-std::optional<TomlValue> moved(const TomlValue& value, const std::string& key, const Step& step, InputErrors& errors) {
+std::optional<TomlValue> moved(const TomlValue& value, const std::string& key, const WrittenChange& step,
+                               InputErrors& errors) {
     const StudyValue known = study_value(value);
     if (!std::isfinite(known.number)) {
         return errors.add(step.measure.place, fmt::format("{} is {}, to which nothing can be added", key, shown(value)),
@@ -175,7 +176,8 @@ std::optional<TomlValue> standard_value(const std::string& key, const solver::Pr
 
 /// Writes the value into the document and reads the case again.
 void change_document(const std::filesystem::path& file, const std::string& run, const ChangeText& asked,
-                     const std::vector<RunOfCase>& chosen, const Step& step, ChangedRuns& into, InputErrors& errors) {
+                     const std::vector<RunOfCase>& chosen, const WrittenChange& step, ChangedRuns& into,
+                     InputErrors& errors) {
     std::optional<TomlValue> document = read_document(file, errors);
     const std::optional<ParameterPath> path =
         document ? ParameterPath::parse(asked.key, *document, errors) : std::nullopt;
@@ -230,7 +232,7 @@ std::vector<ChangedRuns> change_runs(const std::filesystem::path& file, const st
     for (const std::string& sign : signs) {
         ChangedRuns& one = found.emplace_back(ChangedRuns{.key = asked->key.text, .change = change});
         InputErrors errors = asked_errors;
-        if (const std::optional<Step> step = step_of(asked->change, sign, errors)) {
+        if (const std::optional<WrittenChange> step = step_of(asked->change, sign, errors)) {
             one.change = step->text;
             const physics::Signal* signal =
                 one.key.starts_with(of_drive) ? physics::find_signal(std::string_view(one.key).substr(of_drive.size()))

@@ -46,10 +46,10 @@ std::string signature_of(const ut_unit* unit) {
 }
 
 /// UDUNITS keeps its state in globals, so one owner and one lock.
-class System {
+class UnitSystem {
 public:
-    static System& get() {
-        static System system;
+    static UnitSystem& get() {
+        static UnitSystem system;
         return system;
     }
 
@@ -68,7 +68,7 @@ public:
     std::mutex lock;
 
 private:
-    System() {
+    UnitSystem() {
         ut_set_error_message_handler(ut_ignore);
         system_ = ut_read_xml(nullptr);
         if (system_ == nullptr) {
@@ -98,7 +98,7 @@ double ratio(const ut_unit* from, const ut_unit* to, const ut_unit* other) {
 }  // namespace
 
 std::string signature(std::string_view unit) {
-    System& system = System::get();
+    UnitSystem& system = UnitSystem::get();
     const std::lock_guard guard(system.lock);
     return system.find(spelt_out(unit)).signature;
 }
@@ -115,7 +115,7 @@ std::variant<Conversion, UnitError> conversion(std::string_view written, std::st
     if (has_number(text)) {
         return UnitError::number_inside;
     }
-    System& system = System::get();
+    UnitSystem& system = UnitSystem::get();
     const std::lock_guard guard(system.lock);
     const Parsed& from = system.find(text);
     const Parsed& to = system.find(std::string(wanted));

@@ -51,7 +51,7 @@ bool is_passed_over(std::string_view section) {
 }
 
 /// One line and its place in the file.
-struct Line {
+struct NumberedLine {
     std::string_view text;
     int file = -1;
     int number = 0;
@@ -66,7 +66,7 @@ struct Line {
 };
 
 /// Reads `KEY = value`; no key after an error.
-TirLines::Entry read_entry(const Line& line, std::string_view written, InputErrors& errors) {
+TirLines::Entry read_entry(const NumberedLine& line, std::string_view written, InputErrors& errors) {
     const std::size_t equals = written.find('=');
     const std::string_view key = trim(written.substr(0, std::min(equals, written.size())));
     if (equals == std::string_view::npos || key.empty()) {
@@ -102,7 +102,7 @@ TirLines::TirLines(const TextFile& file, InputErrors& errors) {
     }
     std::string section;
     bool in_table = false;
-    Line line{.text = {}, .file = file.number};
+    NumberedLine line{.text = {}, .file = file.number};
     while (const auto text = next_line(rest)) {
         line.text = *text;
         ++line.number;

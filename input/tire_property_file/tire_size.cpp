@@ -30,24 +30,24 @@ enum class Form : std::uint8_t {
     metric_width,  ///< width in mm, rim
 };
 
-struct Pattern {
+struct SizePattern {
     Form form;
     std::string_view text;  ///< two or three numbers; without what stands before and behind
 };
 // The first that matches counts: 31x10.50 R15 also begins as a size without its rim would, and 200/600 R18 is no aspect ratio
 // of 600 %.
 constexpr std::array patterns{
-    Pattern{Form::metric_outer, R"((\d{3})\s*/\s*([4-9]\d\d)\s*(?:ZR|R|-)\s*(\d{2}))"},
-    Pattern{Form::metric, R"((\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:[ZVHS]R|R|B|D|-)\s*(\d{2}(?:\.5)?))"},
-    Pattern{Form::inches_outer,
-            R"((\d{1,2}(?:\.\d+)?)\s*x\s*(\d{1,2}(?:\.\d+)?)\s*(?:ZR|R|B|D|-)\s*(\d{1,2}(?:\.\d)?))"},
-    Pattern{Form::inches_outer, R"((\d{1,2}\.\d+)\s*/\s*(\d{1,2}\.\d+)\s*(?:R|-)\s*(\d{1,2}))"},
-    Pattern{Form::outer_alone, R"((\d{2}(?:\.\d+)?)\s*x\s*(\d{1,2}(?:\.\d+)?))"},
-    Pattern{Form::inches_width, R"((\d{1,2}(?:\.\d{1,2})?)\s*(?:R|B|D|-)\s*(\d{1,2}(?:\.5)?))"},
-    Pattern{Form::metric_width, R"((\d{3})\s*(?:[ZVHS]R|R|-)\s*(\d{2}))"}};
+    SizePattern{Form::metric_outer, R"((\d{3})\s*/\s*([4-9]\d\d)\s*(?:ZR|R|-)\s*(\d{2}))"},
+    SizePattern{Form::metric, R"((\d{2,3})\s*/\s*(\d{2,3})\s*-?\s*(?:[ZVHS]R|R|B|D|-)\s*(\d{2}(?:\.5)?))"},
+    SizePattern{Form::inches_outer,
+                R"((\d{1,2}(?:\.\d+)?)\s*x\s*(\d{1,2}(?:\.\d+)?)\s*(?:ZR|R|B|D|-)\s*(\d{1,2}(?:\.\d)?))"},
+    SizePattern{Form::inches_outer, R"((\d{1,2}\.\d+)\s*/\s*(\d{1,2}\.\d+)\s*(?:R|-)\s*(\d{1,2}))"},
+    SizePattern{Form::outer_alone, R"((\d{2}(?:\.\d+)?)\s*x\s*(\d{1,2}(?:\.\d+)?))"},
+    SizePattern{Form::inches_width, R"((\d{1,2}(?:\.\d{1,2})?)\s*(?:R|B|D|-)\s*(\d{1,2}(?:\.5)?))"},
+    SizePattern{Form::metric_width, R"((\d{3})\s*(?:[ZVHS]R|R|-)\s*(\d{2}))"}};
 
 /// Before: P, LT, ST, T; H, B of aircraft. Behind: C, LT or M/C, then load index (or a pair of it) and speed symbol, then anything.
-std::regex whole(const Pattern& pattern) {
+std::regex whole(const SizePattern& pattern) {
     constexpr std::string_view before = R"(\s*(P|LT|ST|T|H|B)?\s*)";
     constexpr std::string_view behind = R"(\s*(C|LT|M/C)?(?:\s+\(?(?:(\d{2,3})(?:/\d{2,3})?\s*\(?([A-Y])?\b)?.*)?)";
     return std::regex(fmt::format("{}{}{}", before, pattern.text, behind), std::regex::icase);

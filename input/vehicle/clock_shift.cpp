@@ -36,15 +36,15 @@ constexpr double as_good = 0.02;            ///< below the best correlation: ano
 constexpr double better = 0.03;             ///< correlation by which one sign agrees better than the other
 
 /// Two channels at even times.
-struct Pair {
+struct EvenChannels {
     double start = 0.0;
     double step = grid_step;
     Values first{};
     Values second{};
 };
 
-Pair at_even_times(const Values& time, const Values& first, const Values& second) {
-    Pair pair{.start = time.front()};
+EvenChannels at_even_times(const Values& time, const Values& first, const Values& second) {
+    EvenChannels pair{.start = time.front()};
     const double length = time.back() - time.front();
     pair.step = std::max(grid_step, length / static_cast<double>(longest_log));
     Values even;
@@ -58,7 +58,7 @@ Pair at_even_times(const Values& time, const Values& first, const Values& second
 }
 
 /// Of the samples of a window with those of the other channel `shift` steps later; 0 where these are fewer than half.
-double shifted_correlation(const Pair& pair, std::size_t begin, std::size_t end, std::ptrdiff_t shift) {
+double shifted_correlation(const EvenChannels& pair, std::size_t begin, std::size_t end, std::ptrdiff_t shift) {
     const auto size = static_cast<std::ptrdiff_t>(pair.second.size());
     const std::ptrdiff_t from = std::max(static_cast<std::ptrdiff_t>(begin), -shift);
     const std::ptrdiff_t to = std::min(static_cast<std::ptrdiff_t>(end), size - shift);
@@ -82,7 +82,7 @@ double deviation(const Values& values, std::size_t begin, std::size_t end) {
 }
 
 /// Correlations of windows with the other channel, one for each shift from -120 to 120 s.
-struct Curve {
+struct ShiftCorrelations {
     std::size_t begin = 0;  ///< of the first window, an index into the even times
     std::size_t end = 0;    ///< of the last
     std::size_t windows = 1;
@@ -92,13 +92,13 @@ struct Curve {
 
 using Range = std::pair<std::size_t, std::size_t>;  ///< begin and end, indices into the even times
 
-std::size_t count_of_windows(const Pair& pair) {
+std::size_t count_of_windows(const EvenChannels& pair) {
     const double length = static_cast<double>(pair.first.size() - 1) * pair.step;
     return std::max<std::size_t>(1, static_cast<std::size_t>(length / window_length));
 }
 
 /// The windows in which something moves.
-std::vector<Range> windows_of(const Pair& pair) {
+std::vector<Range> windows_of(const EvenChannels& pair) {
     const std::size_t windows = count_of_windows(pair);
     std::vector<Range> active;
     for (std::size_t w = 0; w < windows; ++w) {
@@ -110,10 +110,10 @@ std::vector<Range> windows_of(const Pair& pair) {
     return active;
 }
 
-std::ptrdiff_t most_steps(const Pair& pair) { return static_cast<std::ptrdiff_t>(longest_shift / pair.step); }
+std::ptrdiff_t most_steps(const EvenChannels& pair) { return static_cast<std::ptrdiff_t>(longest_shift / pair.step); }
 
-Curve curve_of(const Pair& pair, std::size_t begin, std::size_t end) {
-    Curve curve{.begin = begin, .end = end};
+ShiftCorrelations curve_of(const EvenChannels& pair, std::size_t begin, std::size_t end) {
+    ShiftCorrelations curve{.begin = begin, .end = end};
     for (std::ptrdiff_t shift = -most_steps(pair); shift <= most_steps(pair); ++shift) {
         curve.sum.push_back(shifted_correlation(pair, begin, end, shift));
     }
@@ -122,8 +122,8 @@ Curve curve_of(const Pair& pair, std::size_t begin, std::size_t end) {
 }
 
 /// Both as one.
-Curve joined(const Curve& one, const Curve& other) {
-    Curve both{.begin = one.begin, .end = other.end, .windows = one.windows + other.windows};
+ShiftCorrelations joined(const ShiftCorrelations& one, const ShiftCorrelations& other) {
+    ShiftCorrelations both{.begin = one.begin, .end = other.end, .windows = one.windows + other.windows};
     std::ranges::transform(one.sum, other.sum, std::back_inserter(both.sum), std::plus<>());
     std::ranges::transform(one.lowest, other.lowest, std::back_inserter(both.lowest),
                            [](double a, double b) { return std::min(a, b); });
@@ -131,10 +131,10 @@ Curve joined(const Curve& one, const Curve& other) {
 }
 
 /// Whether there is a shift with which all its windows agree.
-bool agrees_somewhere(const Curve& curve) { return std::ranges::max(curve.lowest) >= agree; }
+bool agrees_somewhere(const ShiftCorrelations& curve) { return std::ranges::max(curve.lowest) >= agree; }
 
 /// The shift with which its windows agree best, and others that do nearly as well: laps that are alike leave it open.
-ClockShift shift_of(const Pair& pair, const Curve& curve) {
+ClockShift shift_of(const EvenChannels& pair, const ShiftCorrelations& curve) {
     const auto mean = [&](std::size_t k) { return curve.sum[k] / static_cast<double>(curve.windows); };
     const auto delay_at = [&](std::size_t k) {
         return static_cast<double>(static_cast<std::ptrdiff_t>(k) - most_steps(pair)) * pair.step;
@@ -167,7 +167,7 @@ bool is_late(const ClockShift& one) {
 
 /// Whether two agree better with one of them turned round, in each window without a shift or with one that is that of all. Where
 /// that is as good as without, since half a lap changes the sign, their correlation as they are decides.
-bool agree_turned_round(const Pair& pair, double correlation_as_they_are) {
+bool agree_turned_round(const EvenChannels& pair, double correlation_as_they_are) {
     std::vector<Values> curves;
     for (const auto& [begin, end] : windows_of(pair)) {
         curves.push_back(curve_of(pair, begin, end).sum);
@@ -214,27 +214,28 @@ std::vector<ClockShift> clock_shifts(const Values& time, const Values& first, co
     if (time.size() < 2 || time.back() - time.front() < 2.0 * least_shift) {
         return found;
     }
-    const Pair pair = at_even_times(time, first, second);
-    std::vector<Curve> parts;
+    const EvenChannels pair = at_even_times(time, first, second);
+    std::vector<ShiftCorrelations> parts;
     bool all = true;
     for (const auto& [begin, end] : windows_of(pair)) {
         if (shifted_correlation(pair, begin, end, 0) >= agree) {
             all = false;
             continue;
         }
-        const Curve one = curve_of(pair, begin, end);
+        const ShiftCorrelations one = curve_of(pair, begin, end);
         if (!is_late(shift_of(pair, one))) {
             continue;
         }
         const bool is_near =
             !parts.empty() && static_cast<double>(begin - parts.back().end) * pair.step < window_length;
-        if (const Curve both = is_near ? joined(parts.back(), one) : one; is_near && agrees_somewhere(both)) {
+        if (const ShiftCorrelations both = is_near ? joined(parts.back(), one) : one;
+            is_near && agrees_somewhere(both)) {
             parts.back() = both;
         } else {
             parts.push_back(one);
         }
     }
-    for (const Curve& part : parts) {
+    for (const ShiftCorrelations& part : parts) {
         ClockShift shift = shift_of(pair, part);
         shift.all = all && parts.size() == 1;
         const bool is_chance =

@@ -17,7 +17,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-std::vector<double> Line::integrals(double low, double high) const {
+std::vector<double> FieldLine::integrals(double low, double high) const {
     const std::size_t n = at_.size();
     std::vector<double> found(n);
     const auto part = [&](double from, double to) { return std::max(0.0, std::min(to, high) - std::max(from, low)); };
@@ -35,31 +35,31 @@ std::vector<double> Line::integrals(double low, double high) const {
     return found;
 }
 
-std::vector<Row> rows_of(std::size_t n, const std::vector<double>& by, const std::vector<double>& then) {
+std::vector<FieldRow> rows_of(std::size_t n, const std::vector<double>& by, const std::vector<double>& then) {
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto value = [](const std::vector<double>& of, std::size_t i) { return of.empty() ? 0.0 : of[i]; };
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return value(by, i); });
-    std::vector<Row> rows;
+    std::vector<FieldRow> rows;
     for (const std::size_t i : order) {
         if (rows.empty() || value(by, i) - rows.back().at > same_place) {
             rows.push_back({.at = value(by, i), .points = {}});
         }
         rows.back().points.push_back(i);
     }
-    for (Row& row : rows) {
+    for (FieldRow& row : rows) {
         std::ranges::stable_sort(row.points, {}, [&](std::size_t i) { return value(then, i); });
     }
     return rows;
 }
 
-std::vector<double> values_of(const std::vector<Row>& rows) {
+std::vector<double> values_of(const std::vector<FieldRow>& rows) {
     std::vector<double> values;
-    std::ranges::transform(rows, std::back_inserter(values), &Row::at);
+    std::ranges::transform(rows, std::back_inserter(values), &FieldRow::at);
     return values;
 }
 
-Places places_of(const Row& row, const std::vector<double>& coordinate) {
+Places places_of(const FieldRow& row, const std::vector<double>& coordinate) {
     Places places;
     for (const std::size_t i : row.points) {
         const double x = coordinate.empty() ? 0.0 : coordinate[i];

@@ -12,9 +12,9 @@ inline constexpr double same_place = 1e-9;
 
 /// Points of one coordinate, ascending, that are joined by straight lines and held half a spacing beyond their ends; a
 /// single one holds everywhere.
-class Line {
+class FieldLine {
 public:
-    explicit Line(std::vector<double> at) : at_(std::move(at)) {}
+    explicit FieldLine(std::vector<double> at) : at_(std::move(at)) {}
 
     [[nodiscard]] std::size_t size() const { return at_.size(); }
     /// Integral over [low, high] of what each point says where the others say nothing. @returns [size] m
@@ -26,14 +26,15 @@ private:
 };
 
 /// Points with one value of a coordinate, in the order of another.
-struct Row {
+struct FieldRow {
     double at = 0.0;
     std::vector<std::size_t> points;
 };
 
 /// @param by, then [n] coordinates; an empty one is 0 everywhere
-[[nodiscard]] std::vector<Row> rows_of(std::size_t n, const std::vector<double>& by, const std::vector<double>& then);
-[[nodiscard]] std::vector<double> values_of(const std::vector<Row>& rows);
+[[nodiscard]] std::vector<FieldRow> rows_of(std::size_t n, const std::vector<double>& by,
+                                            const std::vector<double>& then);
+[[nodiscard]] std::vector<double> values_of(const std::vector<FieldRow>& rows);
 
 /// The different places of a row's points. Points at one place share what it gets.
 struct Places {
@@ -41,6 +42,6 @@ struct Places {
     std::vector<std::size_t> of;   ///< [points of the row] index into at
     std::vector<double> together;  ///< [at] how many points
 };
-[[nodiscard]] Places places_of(const Row& row, const std::vector<double>& coordinate);
+[[nodiscard]] Places places_of(const FieldRow& row, const std::vector<double>& coordinate);
 
 }  // namespace tiretherm::physics

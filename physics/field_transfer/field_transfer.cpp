@@ -54,7 +54,7 @@ struct Cover {
     double width = 0.0;  ///< m, of the strip; 0 where it has no end and there is one row
 };
 
-Cover cover_of(const Line& line, const Strip& strip) {
+Cover cover_of(const FieldLine& line, const Strip& strip) {
     const bool endless = std::isinf(strip.from);
     if (endless && line.size() == 1) {
         return {.share = {1.0}};
@@ -113,8 +113,8 @@ std::vector<Strip>::const_iterator thickest_at(const std::vector<Strip>& strips,
 }  // namespace
 
 Spacings spacings(const FieldPoints& points) {
-    const std::vector<Row> rows = rows_of(points.size(), points.across, points.along);
-    const auto alone = [&](const Row& row) { return places_of(row, points.along).at.size() < 2; };
+    const std::vector<FieldRow> rows = rows_of(points.size(), points.across, points.along);
+    const auto alone = [&](const FieldRow& row) { return places_of(row, points.along).at.size() < 2; };
     return {.rows = rows.size(), .alone = std::ranges::any_of(rows, alone)};
 }
 
@@ -140,8 +140,8 @@ FieldTransfer onto_faces(const mesh::Mesh& mesh, std::span<const int> patches, c
         }
     }
     Collector collector(points.size(), std::move(nodes));
-    const std::vector<Row> rows = rows_of(points.size(), points.across, points.along);
-    const Line line(values_of(rows));
+    const std::vector<FieldRow> rows = rows_of(points.size(), points.across, points.along);
+    const FieldLine line(values_of(rows));
     for (std::size_t f = 0; f < faces.size(); ++f) {
         if (!points.cell.empty()) {
             for (std::size_t p = 0; p < points.size(); ++p) {
@@ -157,7 +157,7 @@ FieldTransfer onto_faces(const mesh::Mesh& mesh, std::span<const int> patches, c
             // Points of the contact stand for its own area, a mean around the tire for that of the whole face.
             const bool lengths = places.at.size() > 1;
             const std::vector<double> length =
-                lengths ? Line(places.at).integrals(-infinite, infinite) : std::vector<double>{1.0};
+                lengths ? FieldLine(places.at).integrals(-infinite, infinite) : std::vector<double>{1.0};
             const double base = lengths && cover.width > 0.0 ? cover.width : faces[f]->area;
             for (std::size_t i = 0; i < rows[r].points.size(); ++i) {
                 const std::size_t place = places.of[i];
@@ -179,8 +179,8 @@ FieldTransfer onto_cells(const mesh::Mesh& mesh, const FieldPoints& points) {
         }
         return collector.shares(points.measure);
     }
-    const std::vector<Row> rows = rows_of(points.size(), points.across, points.depth);
-    const Line line(values_of(rows));
+    const std::vector<FieldRow> rows = rows_of(points.size(), points.across, points.depth);
+    const FieldLine line(values_of(rows));
     for (const Strip& strip : strips_of(mesh)) {
         const Cover cover = cover_of(line, strip);
         for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -188,7 +188,7 @@ FieldTransfer onto_cells(const mesh::Mesh& mesh, const FieldPoints& points) {
                 continue;
             }
             const Places places = places_of(rows[r], points.depth);
-            const Line through(places.at);
+            const FieldLine through(places.at);
             for (std::size_t k = 0; k + 1 < strip.edge.size(); ++k) {
                 const double thickness = strip.edge[k + 1] - strip.edge[k];
                 const std::vector<double> deep = through.integrals(strip.edge[k], strip.edge[k + 1]);

@@ -80,7 +80,7 @@ DataTable overview(const std::vector<ComparedImages>& all, const std::vector<std
     return table;
 }
 
-void add_sizes(Section& section, const ComparedImages& one) {
+void add_sizes(ReportSection& section, const ComparedImages& one) {
     const double finest = one.scales.front().second;
     if (!(finest > 0.0)) {
         return;
@@ -98,9 +98,9 @@ void add_sizes(Section& section, const ComparedImages& one) {
                          "camera");
 }
 
-Section camera_part(const ComparedImages& one, const std::string& run) {
-    Section part(fmt::format("{}, {}{}", one.camera, run,
-                             one.bin > 1 ? fmt::format(", {0} by {0} detectors a pixel", one.bin) : ""));
+ReportSection camera_part(const ComparedImages& one, const std::string& run) {
+    ReportSection part(fmt::format("{}, {}{}", one.camera, run,
+                                   one.bin > 1 ? fmt::format(", {0} by {0} detectors a pixel", one.bin) : ""));
     part.chart(fmt::format("{}, {}: measured, simulated, difference", one.camera, run), camera_caption(one),
                camera_chart(one));
     part.add(rings(one));
@@ -116,8 +116,9 @@ Section camera_part(const ComparedImages& one, const std::string& run) {
 
 }  // namespace
 
-Section cameras_section(const std::vector<ComparedImages>& images, const std::vector<std::string>& runs, Value& data) {
-    Section section("Cameras");
+ReportSection cameras_section(const std::vector<ComparedImages>& images, const std::vector<std::string>& runs,
+                              Value& data) {
+    ReportSection section("Cameras");
     if (images.empty()) {
         return section;
     }

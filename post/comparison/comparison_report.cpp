@@ -103,8 +103,8 @@ DataTable channels(const Comparison& comparison) {
     return table;
 }
 
-Section per_run(const Comparison& comparison, DataTable table) {
-    Section section("Channels", std::move(table));
+ReportSection per_run(const Comparison& comparison, DataTable table) {
+    ReportSection section("Channels", std::move(table));
     section.say(
         "noise: what changes from one sample to the next; sensor: the standard deviation stated with it; rms model: "
         "rms without sensor noise, the part that a better model could remove.");
@@ -128,10 +128,10 @@ Section per_run(const Comparison& comparison, DataTable table) {
     return section;
 }
 
-Section interpretation(const Comparison& comparison) {
-    Section section("Interpretation");
+ReportSection interpretation(const Comparison& comparison) {
+    ReportSection section("Interpretation");
     for (const ComparedChannel& channel : comparison.channels) {
-        Section part(channel.name);
+        ReportSection part(channel.name);
         for (const std::string& sentence : sentences(channel)) {
             part.item(sentence);
         }
@@ -141,8 +141,8 @@ Section interpretation(const Comparison& comparison) {
 }
 
 /// Empty where every channel stays in one phase.
-Section by_phase(const Comparison& comparison) {
-    Section section("By what the tire does");
+ReportSection by_phase(const Comparison& comparison) {
+    ReportSection section("By what the tire does");
     if (std::ranges::any_of(comparison.channels, [](const auto& channel) { return channel.phases.size() > 1; })) {
         DataTable all;
         for (const ComparedChannel& channel : comparison.channels) {
@@ -157,10 +157,10 @@ Section by_phase(const Comparison& comparison) {
 }
 
 /// The means in the fifths of every signal, the closest first.
-Section by_signal(const ComparedChannel& channel) {
+ReportSection by_signal(const ComparedChannel& channel) {
     constexpr std::size_t most = 4;
-    Section section(fmt::format("{}: mean difference [{}] in each fifth of the signal's range of samples", channel.name,
-                                difference_unit(channel.unit.name)));
+    ReportSection section(fmt::format("{}: mean difference [{}] in each fifth of the signal's range of samples",
+                                      channel.name, difference_unit(channel.unit.name)));
     DataTable table;
     for (std::size_t i = 0; i < std::min(most, channel.regressors.size()); ++i) {
         const RegressorFigures& regressor = channel.regressors[i];
@@ -208,8 +208,8 @@ DataTable single_numbers(const Comparison& comparison) {
     return table;
 }
 
-Section numbers_section(DataTable table) {
-    Section section("Single values");
+ReportSection numbers_section(DataTable table) {
+    ReportSection section("Single values");
     if (!table.empty()) {
         section.add(std::move(table));
         section.say("u: standard uncertainty of the measured value; within up to 2 u");
@@ -282,7 +282,7 @@ Report comparison_report(const Comparison& comparison, const std::vector<std::fi
         }
         report.add(measured_section(series_of(comparison), inputs));
         report.add(by_phase(comparison));
-        Section signals("By signal");
+        ReportSection signals("By signal");
         for (const ComparedChannel& channel : comparison.channels) {
             if (!channel.regressors.empty()) {
                 signals.add(by_signal(channel));

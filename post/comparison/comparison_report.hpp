@@ -27,7 +27,7 @@ namespace tiretherm::post {
                                                                   const std::filesystem::path& directory);
 
 /// Tables and sentences of all cameras. @param runs names  @param data of each camera, to be filled
-[[nodiscard]] Section cameras_section(const std::vector<diagnosis::ComparedImages>& images,
-                                      const std::vector<std::string>& runs, Value& data);
+[[nodiscard]] ReportSection cameras_section(const std::vector<diagnosis::ComparedImages>& images,
+                                            const std::vector<std::string>& runs, Value& data);
 
 }  // namespace tiretherm::post

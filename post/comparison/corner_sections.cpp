@@ -20,8 +20,9 @@ using namespace diagnosis;  // whose results are rendered here
 
 namespace {
 
-Section corner_section(const std::vector<ComparedChannel>& channels, const std::string& heading, Value::List& data) {
-    Section section(heading);
+ReportSection corner_section(const std::vector<ComparedChannel>& channels, const std::string& heading,
+                             Value::List& data) {
+    ReportSection section(heading);
     DataTable table;
     for (const ComparedChannel& channel : channels) {
         for (const CornerFigures& corner : channel.corners) {

@@ -77,9 +77,9 @@ void add_rows(DataTable& table, const Cause& cause) {
 
 std::string unit_or_dash(const std::string& unit) { return unit == "1" ? "-" : slashed_unit(unit); }
 
-Section interpretation(const DiagnosisRecord& record) {
+ReportSection interpretation(const DiagnosisRecord& record) {
     const Diagnosis& result = record.result;
-    Section section("Interpretation");
+    ReportSection section("Interpretation");
     if (result.unknown) {
         section.say(unknown_text(*result.unknown, record.experiment));
     }
@@ -87,7 +87,7 @@ Section interpretation(const DiagnosisRecord& record) {
         if (!cause.in_set) {
             continue;
         }
-        Section part(name_of(cause), {meaning_of(cause), bound_of(cause)});
+        ReportSection part(name_of(cause), {meaning_of(cause), bound_of(cause)});
         for (const physics::ConfoundedGroup* group : confounded_groups_of(cause.id)) {
             part.say(fmt::format("Confounded with {}. What separates them: {}.", others_of(*group, cause.id),
                                  group->separated));
@@ -97,8 +97,8 @@ Section interpretation(const DiagnosisRecord& record) {
     return section;
 }
 
-Section causes_section(const Diagnosis& result) {
-    Section section("Candidate causes");
+ReportSection causes_section(const Diagnosis& result) {
+    ReportSection section("Candidate causes");
     DataTable table;
     std::size_t others = 0;
     for (const Cause& cause : result.causes) {

@@ -13,10 +13,10 @@ namespace tiretherm::post {
 [[nodiscard]] std::string unit_or_dash(const std::string& unit);
 
 /// What each cause of the set is, and what is confounded with it.
-[[nodiscard]] Section interpretation(const DiagnosisRecord& record);
+[[nodiscard]] ReportSection interpretation(const DiagnosisRecord& record);
 
 /// A row for each number of the causes of the set and of the likeliest others, with charts.
-[[nodiscard]] Section causes_section(const diagnosis::Diagnosis& result);
+[[nodiscard]] ReportSection causes_section(const diagnosis::Diagnosis& result);
 /// All causes.
 [[nodiscard]] Value causes_data(const diagnosis::Diagnosis& result);
 /// Ids of the causes of each explanation.

@@ -32,7 +32,7 @@ std::vector<const Cause*> shown_causes(const Diagnosis& result) {
 
 }  // namespace
 
-void add_cause_charts(Section& section, const Diagnosis& result) {
+void add_cause_charts(ReportSection& section, const Diagnosis& result) {
     std::vector<Bar> gains;
     std::vector<Bar> sigmas;
     for (const Cause* cause : shown_causes(result)) {
@@ -55,7 +55,7 @@ void add_cause_charts(Section& section, const Diagnosis& result) {
                   bar_chart("size", "standard deviations", sigmas));
 }
 
-void add_channel_gain_charts(Section& section, const DiagnosisRecord& record) {
+void add_channel_gain_charts(ReportSection& section, const DiagnosisRecord& record) {
     std::vector<std::string> units;
     const auto unit_name = [&](const ChannelGain& gain) -> std::string {
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[gain.channel];
@@ -95,7 +95,7 @@ void add_channel_gain_charts(Section& section, const DiagnosisRecord& record) {
     }
 }
 
-void add_held_out_chart(Section& section, const DiagnosisRecord& record) {
+void add_held_out_chart(ReportSection& section, const DiagnosisRecord& record) {
     std::vector<Bar> bars;
     const auto add = [&](const std::string& name, const Gain& gain) {
         if (gain.measured) {
@@ -119,7 +119,7 @@ void add_held_out_chart(Section& section, const DiagnosisRecord& record) {
     }
 }
 
-void add_experiment_chart(Section& section, const Diagnosis& result) {
+void add_experiment_chart(ReportSection& section, const Diagnosis& result) {
     std::vector<BarGroup> groups;
     for (const NextExperiment& next : result.next) {
         groups.push_back({.name = next.name, .values = {next.now, next.then}});
@@ -133,7 +133,7 @@ void add_experiment_chart(Section& section, const Diagnosis& result) {
     }
 }
 
-void add_missing_heat_maps(Section& section, const DiagnosisRecord& record) {
+void add_missing_heat_maps(ReportSection& section, const DiagnosisRecord& record) {
     double reach = 0.0;  // one scale for all runs
     for (const MissingHeat& one : record.result.missing_heat) {
         reach = std::max(reach, std::abs(one.watts));

@@ -49,8 +49,8 @@ DataTable limits(const Diagnosis& result) {
     return table;
 }
 
-Section next_section(const Diagnosis& result) {
-    Section section("Discriminating experiments");
+ReportSection next_section(const Diagnosis& result) {
+    ReportSection section("Discriminating experiments");
     DataTable table;
     for (const NextExperiment& next : result.next) {
         table.add({page_only("additional experiment", next.name), page_only("sigma now", shown("{:.2g}", next.now)),
@@ -88,8 +88,8 @@ std::string base_of(const Gain& gain) {
     return gain.over == BaseModel::other_mesh ? gain.over_mesh : words[static_cast<std::size_t>(gain.over)];
 }
 
-Section gain_section(const DiagnosisRecord& record, DataTable table) {
-    Section section("Gain");
+ReportSection gain_section(const DiagnosisRecord& record, DataTable table) {
+    ReportSection section("Gain");
     const Gain& gain = record.result.gain;
     if (table.empty()) {
         return section;
@@ -126,7 +126,7 @@ Value gain_data(const Gain& gain) {
 
 /// The noise of its sensor to each series.
 void add_noise(std::vector<MeasuredSeries>& series, const DiagnosisRecord& record) {
-    for (const Block& block : record.observations.blocks) {
+    for (const NoiseBlock& block : record.observations.blocks) {
         if (block.channel < 0 || block.time.empty()) {
             continue;
         }
@@ -164,8 +164,8 @@ DataTable missing_heat(const DiagnosisRecord& record) {
 }
 
 /// These windows, and all of them as a map.
-Section missing_heat_section(const DiagnosisRecord& record, DataTable table) {
-    Section section("Inferred heat source");
+ReportSection missing_heat_section(const DiagnosisRecord& record, DataTable table) {
+    ReportSection section("Inferred heat source");
     if (table.empty()) {
         return section;
     }
@@ -294,7 +294,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     add_noise(series, record);
     report.add(measured_section(series, inputs_of_runs(record.experiment)));
     if (!of_error.empty()) {
-        Section of_error_section("Error of the model that is left", std::move(of_error));
+        ReportSection of_error_section("Error of the model that is left", std::move(of_error));
         of_error_section.say(
             "These differences are no noise of the sensors. The intervals of all parameters are widened by them.");
         report.add(std::move(of_error_section));
@@ -306,10 +306,10 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                          is_extended ? " with the extended model" : " after the fit");
     report.add(missing_heat_section(record, std::move(of_heat)));
     report.add(causes_section(result));
-    report.add(Section("Upper limits (95 %)", std::move(of_limits)));
+    report.add(ReportSection("Upper limits (95 %)", std::move(of_limits)));
     report.add(gain_section(record, std::move(of_channels)));
-    report.add(Section("Free parameters", std::move(of_numbers)));
-    Section of_noise_section = Section("Noise", std::move(of_noise));
+    report.add(ReportSection("Free parameters", std::move(of_numbers)));
+    ReportSection of_noise_section = ReportSection("Noise", std::move(of_noise));
     if (!result.noise.empty() && result.numerical_error_sigma > 0.0) {
         of_noise_section.say(
             fmt::format("The discretisation error of steps and grid amounts to {:.2g} standard deviations.",

@@ -146,7 +146,7 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string stop_text(const Diagnosis& diagnosis) {
-    const Stage& at = diagnosis.stopped_at;
+    const Activity& at = diagnosis.stopped_at;
     std::string text = fmt::format("stopped during the {}", text_of(diagnosis.stopped));
     if (at.is_counted()) {
         text += fmt::format(", at {} {} of {}", text_of(at), at.number, at.count);

@@ -79,7 +79,7 @@ DataTable signals(const std::vector<ComparedChannel>& base, const std::vector<Co
 /// Single numbers, with their distance in their own standard uncertainties.
 DataTable single_numbers(const DiagnosisRecord& record) {
     DataTable table;
-    for (const Block& block : record.observations.blocks) {
+    for (const NoiseBlock& block : record.observations.blocks) {
         for (std::size_t i = 0; block.channel < 0 && i < block.standard_deviation.size(); ++i) {
             const Eigen::Index k = block.first + static_cast<Eigen::Index>(i);
             const Observations::Row& row = record.observations.rows[static_cast<std::size_t>(k)];
@@ -103,8 +103,8 @@ DataTable single_numbers(const DiagnosisRecord& record) {
 
 }  // namespace
 
-Section residual_breakdown(const DiagnosisRecord& record) {
-    Section section("Where it shows");
+ReportSection residual_breakdown(const DiagnosisRecord& record) {
+    ReportSection section("Where it shows");
     const std::vector<ComparedChannel> base =
         compare_observed(record.experiment, record.observations, record.result.base);
     if (!base.empty()) {

@@ -8,6 +8,6 @@ namespace tiretherm::post {
 
 /// Where and when measured and simulated differ, with the base model and, where there is one, with the extended one.
 /// Single numbers stand for themselves.
-[[nodiscard]] Section residual_breakdown(const DiagnosisRecord& record);
+[[nodiscard]] ReportSection residual_breakdown(const DiagnosisRecord& record);
 
 }  // namespace tiretherm::post

@@ -219,8 +219,8 @@ std::string agreement_of(const DiagnosisRecord& record) {
     return text;
 }
 
-Section run_verdicts_section(const DiagnosisRecord& record) {
-    Section section("Each run alone");
+ReportSection run_verdicts_section(const DiagnosisRecord& record) {
+    ReportSection section("Each run alone");
     if (DataTable table = table_of(record); !table.empty()) {
         section.add(std::move(table));
         section.say(agreement_of(record));

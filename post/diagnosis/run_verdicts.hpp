@@ -9,7 +9,7 @@
 namespace tiretherm::post {
 
 /// A row for each cause that a run shows alone, and the sentence; nothing where no runs were diagnosed alone.
-[[nodiscard]] Section run_verdicts_section(const DiagnosisRecord& record);
+[[nodiscard]] ReportSection run_verdicts_section(const DiagnosisRecord& record);
 /// [{name, verdict, causes, gain}], in the order of the runs. `causes` are those of the set, the best hypothesis first.
 [[nodiscard]] Value run_verdicts_data(const DiagnosisRecord& record);
 /// "All runs agree on sensor_lag of surface_temperature.", "run2 alone shows sensor_lag of surface_temperature."; empty where

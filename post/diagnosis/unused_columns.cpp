@@ -23,8 +23,8 @@ DataTable unused_columns_table(const input::Experiment& experiment) {
     return table;
 }
 
-Section unused_columns_section(const input::Experiment& experiment) {
-    Section section("Columns that the model does not use");
+ReportSection unused_columns_section(const input::Experiment& experiment) {
+    ReportSection section("Columns that the model does not use");
     DataTable table = unused_columns_table(experiment);
     if (!table.empty()) {
         section.add(std::move(table));

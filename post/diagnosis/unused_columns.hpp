@@ -9,6 +9,6 @@ namespace tiretherm::post {
 
 /// Each column, what it is, whether a cause was looked for that follows it, and why not. Empty without such columns.
 [[nodiscard]] DataTable unused_columns_table(const input::Experiment& experiment);
-[[nodiscard]] Section unused_columns_section(const input::Experiment& experiment);
+[[nodiscard]] ReportSection unused_columns_section(const input::Experiment& experiment);
 
 }  // namespace tiretherm::post

@@ -137,7 +137,7 @@ DataTable drivers(const solver::Spread& spread) {
     return table;
 }
 
-void say_spread(Section& section, const solver::Spread& spread, double critical) {
+void say_spread(ReportSection& section, const solver::Spread& spread, double critical) {
     section.add(drivers(spread));
     section.say("change K: for one standard deviation; nonlinear K: deviation from a straight line.");
     section.say(
@@ -147,13 +147,14 @@ void say_spread(Section& section, const solver::Spread& spread, double critical)
                     probability_text(spread.chance_above(critical))));
 }
 
-Section spot_part(const HotSpots& all, const HotSpot& spot, const mesh::Mesh& mesh) {
+ReportSection spot_part(const HotSpots& all, const HotSpot& spot, const mesh::Mesh& mesh) {
     const solver::Critical& critical = spot.history.critical();
     const std::size_t row = spot.history.hottest_row();
     const double hottest = spot.hottest.temperature;
     const double margin = critical.temperature - hottest;
-    Section part(fmt::format("{}{}: critical {} degC", critical.name,
-                             critical.part.empty() ? "" : " (" + critical.part + ")", degrees(critical.temperature)));
+    ReportSection part(fmt::format("{}{}: critical {} degC", critical.name,
+                                   critical.part.empty() ? "" : " (" + critical.part + ")",
+                                   degrees(critical.temperature)));
     if (spot.passing) {
         part.say("passed " + moment_text(*spot.passing) + surface_then(spot, *spot.passing));
     }
@@ -214,7 +215,7 @@ Value uncertainty(const HotSpot& spot) {
 }
 
 /// The hottest places and the surfaces above them against time, with the critical temperatures.
-void add_history_chart(Section& section, const HotSpots& hot_spots) {
+void add_history_chart(ReportSection& section, const HotSpots& hot_spots) {
     if (hot_spots.spots.empty() || hot_spots.spots.front().history.time().size() < 2) {
         return;
     }
@@ -262,8 +263,8 @@ std::string moment_text(const TestMoment& moment) {
     return fmt::format("{}, {} into step {} ({})", when, minutes(into), moment.step->number, how);
 }
 
-Section hot_spots_section(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
-    Section section("Hot spots");
+ReportSection hot_spots_section(const HotSpots& hot_spots, const mesh::Mesh& mesh) {
+    ReportSection section("Hot spots");
     for (const HotSpot& spot : hot_spots.spots) {
         section.add(spot_part(hot_spots, spot, mesh));
     }

@@ -16,7 +16,7 @@ namespace tiretherm::post {
 [[nodiscard]] std::string probability_text(double probability);
 
 /// What is said of each: how hot, where, when passed or what is left, step by step, what drives it.
-[[nodiscard]] Section hot_spots_section(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
+[[nodiscard]] ReportSection hot_spots_section(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
 /// "spots", an object each, and "notes". Temperatures in degC, speeds in km/h, times in s.
 [[nodiscard]] Value hot_spots_data(const diagnosis::HotSpots& hot_spots, const mesh::Mesh& mesh);
 

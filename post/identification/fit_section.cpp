@@ -61,8 +61,8 @@ DataTable fitted_single_numbers(const IdentificationRecord& record) {
     return table;
 }
 
-Section fit_section(const IdentificationRecord& record, DataTable of_channels, DataTable of_numbers) {
-    Section section("Fit");
+ReportSection fit_section(const IdentificationRecord& record, DataTable of_channels, DataTable of_numbers) {
+    ReportSection section("Fit");
     if (!of_channels.empty()) {
         section.add(std::move(of_channels));
         if (!record.observations.images.empty()) {
@@ -138,8 +138,8 @@ DataTable left_out_table(const IdentificationRecord& record) {
     return table;
 }
 
-Section left_out_section(const IdentificationRecord& record, DataTable table) {
-    Section section("Left out in turn");
+ReportSection left_out_section(const IdentificationRecord& record, DataTable table) {
+    ReportSection section("Left out in turn");
     if (table.empty()) {
         return section;
     }

@@ -11,10 +11,11 @@ namespace tiretherm::post {
 /// Each single measured number with what is simulated before and after the fit.
 [[nodiscard]] DataTable fitted_single_numbers(const IdentificationRecord& record);
 /// Both with the cautions about the noise.
-[[nodiscard]] Section fit_section(const IdentificationRecord& record, DataTable of_channels, DataTable of_numbers);
+[[nodiscard]] ReportSection fit_section(const IdentificationRecord& record, DataTable of_channels,
+                                        DataTable of_numbers);
 
 /// What was left out in turn, a row for each channel of it: how well a fit without it predicts it, and which parameter moves most.
 [[nodiscard]] DataTable left_out_table(const IdentificationRecord& record);
-[[nodiscard]] Section left_out_section(const IdentificationRecord& record, DataTable table);
+[[nodiscard]] ReportSection left_out_section(const IdentificationRecord& record, DataTable table);
 
 }  // namespace tiretherm::post

@@ -19,15 +19,15 @@ namespace {
 
 constexpr int points = 61;
 
-enum class Law { through, along, capacity };
+enum class MaterialLaw { through, along, capacity };
 
-const physics::Curve& curve_of(const physics::Material& material, Law law) {
+const physics::Curve& curve_of(const physics::Material& material, MaterialLaw law) {
     switch (law) {
-        case Law::through:
+        case MaterialLaw::through:
             return material.along(mesh::Axis::through);
-        case Law::along:
+        case MaterialLaw::along:
             return material.conductivity.front();
-        case Law::capacity:
+        case MaterialLaw::capacity:
             break;
     }
     return material.heat_capacity;
@@ -68,7 +68,7 @@ std::vector<double> values_of(const physics::Curve& curve, const std::vector<dou
 /// Standard deviation of a law at each temperature, from what a small step of each parameter does to it.
 /// @returns empty where a parameter that moves it has no interval
 std::vector<double> deviations(const IdentificationRecord& record, const Simulator& simulator, std::size_t material,
-                               Law law, const std::vector<double>& kelvin) {
+                               MaterialLaw law, const std::vector<double>& kelvin) {
     const Identification& result = record.result;
     const auto n = static_cast<Eigen::Index>(result.fitted.size());
     const std::vector<double> centre =
@@ -119,21 +119,22 @@ FittedLaws fitted_laws(const IdentificationRecord& record) {
     const solver::Problem before = simulator.problem(0, simulator.start());
     const solver::Problem after = simulator.problem(0, result.values);
     struct Kind {
-        Law law;
+        MaterialLaw law;
         const char* key;
         const char* name;
         const char* unit;
     };
-    for (const Kind& kind : {Kind{Law::through, "conductivity", "conductivity through the thickness", "W/(m K)"},
-                             Kind{Law::along, "conductivity_along", "conductivity along the surface", "W/(m K)"},
-                             Kind{Law::capacity, "heat_capacity", "heat capacity", "J/(kg K)"}}) {
+    for (const Kind& kind :
+         {Kind{MaterialLaw::through, "conductivity", "conductivity through the thickness", "W/(m K)"},
+          Kind{MaterialLaw::along, "conductivity_along", "conductivity along the surface", "W/(m K)"},
+          Kind{MaterialLaw::capacity, "heat_capacity", "heat capacity", "J/(kg K)"}}) {
         for (std::size_t m = 0; m < after.materials.size(); ++m) {
             const physics::Material& fitted = after.materials[m];
             const physics::Curve& curve = curve_of(fitted, kind.law);
             const bool is_isotropic = fitted.along(mesh::Axis::through) == fitted.conductivity.front();
             const bool is_known = std::ranges::any_of(
                 found.laws, [&](const FittedLaw& law) { return law.key == kind.key && law.material == fitted.name; });
-            if (curve == curve_of(before.materials[m], kind.law) || (kind.law == Law::along && is_isotropic) ||
+            if (curve == curve_of(before.materials[m], kind.law) || (kind.law == MaterialLaw::along && is_isotropic) ||
                 is_known) {
                 continue;
             }

@@ -28,7 +28,7 @@ std::vector<std::string> names_of(const IdentificationRecord& record) {
 }
 
 /// Two charts, because a share of what was known and a share of the value are no common scale.
-void add_uncertainties(Section& section, const IdentificationRecord& record) {
+void add_uncertainties(ReportSection& section, const IdentificationRecord& record) {
     std::vector<Bar> of_known;
     std::vector<Bar> of_value;
     for (std::size_t j = 0; j < record.result.fitted.size(); ++j) {
@@ -56,7 +56,7 @@ void add_uncertainties(Section& section, const IdentificationRecord& record) {
     }
 }
 
-void add_correlations(Section& section, const IdentificationRecord& record) {
+void add_correlations(ReportSection& section, const IdentificationRecord& record) {
     const Eigen::MatrixXd& correlation = record.result.correlation;
     const Eigen::Index n = correlation.rows();
     if (n < 2 || n > most_numbers || n != static_cast<Eigen::Index>(record.experiment.parameters.size())) {
@@ -81,7 +81,7 @@ void add_correlations(Section& section, const IdentificationRecord& record) {
                              {.name = "correlation", .is_signed = true, .reach = 1.0}, cells));
 }
 
-void add_directions(Section& section, const IdentificationRecord& record) {
+void add_directions(ReportSection& section, const IdentificationRecord& record) {
     std::vector<const Direction*> weakest;
     for (const Direction& direction : record.result.directions) {
         if (direction.share.size() == static_cast<Eigen::Index>(record.experiment.parameters.size())) {
@@ -122,8 +122,8 @@ void add_directions(Section& section, const IdentificationRecord& record) {
 
 }  // namespace
 
-Section identifiability_section(const IdentificationRecord& record) {
-    Section section("How well the parameters are determined");
+ReportSection identifiability_section(const IdentificationRecord& record) {
+    ReportSection section("How well the parameters are determined");
     add_uncertainties(section, record);
     add_correlations(section, record);
     add_directions(section, record);

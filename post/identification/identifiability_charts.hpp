@@ -8,6 +8,6 @@ namespace tiretherm::post {
 
 /// What is left of the uncertainty of each number, which numbers the data tell apart, and the combinations that they see
 /// least. Charts alone: the page as text has the same in its tables.
-[[nodiscard]] Section identifiability_section(const IdentificationRecord& record);
+[[nodiscard]] ReportSection identifiability_section(const IdentificationRecord& record);
 
 }  // namespace tiretherm::post

@@ -80,8 +80,8 @@ std::string channels_in_doubt(const Identification& result) {
     return names;
 }
 
-Section numbers(const IdentificationRecord& record, DataTable table) {
-    Section section("Parameters", std::move(table));
+ReportSection numbers(const IdentificationRecord& record, DataTable table) {
+    ReportSection section("Parameters", std::move(table));
     const std::vector<Fitted>& fitted = record.result.fitted;
     std::string moved;
     for (std::size_t j = 0; j < fitted.size(); ++j) {
@@ -126,8 +126,8 @@ Section numbers(const IdentificationRecord& record, DataTable table) {
     return section;
 }
 
-Section directions(const IdentificationRecord& record) {
-    Section section("What the data do not tell");
+ReportSection directions(const IdentificationRecord& record) {
+    ReportSection section("What the data do not tell");
     for (const Direction& direction : record.result.directions) {
         if (direction.strength >= 1.0) {
             continue;
@@ -145,7 +145,7 @@ Section directions(const IdentificationRecord& record) {
     return section;
 }
 
-Section correlations(const IdentificationRecord& record) {
+ReportSection correlations(const IdentificationRecord& record) {
     struct Pair {
         std::size_t a;
         std::size_t b;
@@ -266,7 +266,7 @@ Report identification_report(const IdentificationRecord& record, const std::vect
                                                     {{"case", &result.before}, {"fitted", &result.after}}),
                                     inputs_of_runs(record.experiment)));
     }
-    Section switches("At a switch or a clamp");
+    ReportSection switches("At a switch or a clamp");
     if (!result.non_smooth_parameters.empty()) {
         switches.say(fmt::format("{}: the slope is that of one side, and the interval with it.",
                                  fmt::join(result.non_smooth_parameters, ", ")));

@@ -29,8 +29,8 @@ void add_law(LineChart& chart, const FittedLaw& law, const std::vector<double>& 
 
 }  // namespace
 
-Section law_charts(const IdentificationRecord& record) {
-    Section section("Fitted laws");
+ReportSection law_charts(const IdentificationRecord& record) {
+    ReportSection section("Fitted laws");
     const FittedLaws found = fitted_laws(record);
     for (auto law = found.laws.begin(); law != found.laws.end();) {
         LineChart chart("temperature", "°C", found.celsius.front(), found.celsius.back());

@@ -150,8 +150,8 @@ bool have_laps_or_corners(const std::vector<RunHeat>& runs) {
     });
 }
 
-Section heat_by_lap_section(const std::vector<RunHeat>& runs, const std::string& heading) {
-    Section section(heading);
+ReportSection heat_by_lap_section(const std::vector<RunHeat>& runs, const std::string& heading) {
+    ReportSection section(heading);
     if (!have_laps_or_corners(runs)) {
         return section;
     }

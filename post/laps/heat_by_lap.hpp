@@ -16,7 +16,8 @@ inline constexpr const char* heat_name = "heat.csv";
 [[nodiscard]] bool have_laps_or_corners(const std::vector<diagnosis::RunHeat>& runs);
 /// Mean friction power and mean heat of each effect in watts, a column for each run; the friction power of each lap.
 /// Nothing for a single tire without laps, and of steady states.
-[[nodiscard]] Section heat_by_lap_section(const std::vector<diagnosis::RunHeat>& runs, const std::string& heading);
+[[nodiscard]] ReportSection heat_by_lap_section(const std::vector<diagnosis::RunHeat>& runs,
+                                                const std::string& heading);
 /// The same as data: watts and joules of each run and each lap.
 [[nodiscard]] Value heat_by_lap_data(const std::vector<diagnosis::RunHeat>& runs);
 /// A row for each run and lap and each effect or part of the friction power: joules and mean watts.

@@ -210,9 +210,9 @@ bool have_laps_or_corners(const std::vector<LapRow>& rows) {
     return std::ranges::any_of(rows, [](const LapRow& row) { return row.lap.has_value() || !row.corner.empty(); });
 }
 
-Section lap_section(const std::vector<LapRow>& rows, const std::string& of_model) {
+ReportSection lap_section(const std::vector<LapRow>& rows, const std::string& of_model) {
     const bool has_laps = std::ranges::any_of(rows, [](const LapRow& row) { return row.lap.has_value(); });
-    Section section((has_laps ? "Laps" : "Means and maxima") + of_model);
+    ReportSection section((has_laps ? "Laps" : "Means and maxima") + of_model);
     if (!have_laps_or_corners(rows)) {
         return section;
     }
@@ -230,7 +230,7 @@ Section lap_section(const std::vector<LapRow>& rows, const std::string& of_model
         section.say("bias: mean of simulated - measured in the lap.");
     }
     for (const Rows& own : channels) {
-        Section part(fmt::format("{} [{}]", own.front()->channel, own.front()->unit.name));
+        ReportSection part(fmt::format("{} [{}]", own.front()->channel, own.front()->unit.name));
         part.add(values(own));
         if (own.size() > most_rows) {
             part.say(fmt::format("{} more rows are in {} and in the JSON.", own.size() - most_rows, laps_name));

@@ -39,7 +39,7 @@ struct LapRow {
 /// A table and a chart for each channel. Below it where there are measured values: the bias of each lap.
 /// @param rows of a channel together, the whole run behind its laps
 /// @param of_model behind the heading, such as " after the fit"; may be empty
-[[nodiscard]] Section lap_section(const std::vector<LapRow>& rows, const std::string& of_model = {});
+[[nodiscard]] ReportSection lap_section(const std::vector<LapRow>& rows, const std::string& of_model = {});
 /// `laps` and `run_values` of the data, in the units that users see.
 void add_lap_data(Value& data, const std::vector<LapRow>& rows);
 /// A row for each channel, run and lap, and for each run as a whole.

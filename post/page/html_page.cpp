@@ -219,7 +219,7 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
     }
     std::string contents;
     std::string sections;
-    const auto add = [&](const Section& section) {
+    const auto add = [&](const ReportSection& section) {
         if (section.blocks().empty()) {
             return;
         }
@@ -233,10 +233,10 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
         }
         sections += blocks_html(section.blocks(), 3) + "</section>\n";
     };
-    for (const Section& section : report.sections) {  // the appendix says the same at greater length
+    for (const ReportSection& section : report.sections) {  // the appendix says the same at greater length
         const bool is_at_the_head = section.heading() == verdict_heading && !report.verdict.empty();
         if (!is_at_the_head &&
-            std::ranges::find(report.appendix, section.heading(), &Section::heading) == report.appendix.end()) {
+            std::ranges::find(report.appendix, section.heading(), &ReportSection::heading) == report.appendix.end()) {
             add(section);
         }
     }

@@ -98,8 +98,8 @@ std::vector<RunInputs> inputs_of_runs(const input::Experiment& experiment) {
     return inputs;
 }
 
-Section measured_section(const std::vector<MeasuredSeries>& series, const std::vector<RunInputs>& inputs) {
-    Section section("Measured and simulated");
+ReportSection measured_section(const std::vector<MeasuredSeries>& series, const std::vector<RunInputs>& inputs) {
+    ReportSection section("Measured and simulated");
     struct Run {
         const MeasuredSeries* first;
         TimeChart chart;

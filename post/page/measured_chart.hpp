@@ -40,7 +40,7 @@ struct RunInputs {
 /// at the bottom, and laps or steps as bands. The first model is dashed where there is another. Where the noise is known the
 /// differences have its 95 % band, and of many samples their means over a fortieth of the run. All charts zoom together.
 /// Nothing where there is no series of two samples or more.
-[[nodiscard]] Section measured_section(const std::vector<MeasuredSeries>& series,
-                                       const std::vector<RunInputs>& inputs = {});
+[[nodiscard]] ReportSection measured_section(const std::vector<MeasuredSeries>& series,
+                                             const std::vector<RunInputs>& inputs = {});
 
 }  // namespace tiretherm::post

@@ -10,8 +10,8 @@
 
 namespace tiretherm::post {
 
-Section origin_section(const PageOrigin& origin) {
-    Section section("Files and versions");
+ReportSection origin_section(const PageOrigin& origin) {
+    ReportSection section("Files and versions");
     DataTable table;
     const auto add = [&](const std::string& name, const std::string& text) {
         if (!text.empty()) {
@@ -34,8 +34,8 @@ Section origin_section(const PageOrigin& origin) {
     return section;
 }
 
-Section citations_section(const solver::Problem& problem) {
-    Section section("Cite");
+ReportSection citations_section(const solver::Problem& problem) {
+    ReportSection section("Cite");
     section.item(
         fmt::format("the tiretherm authors: tiretherm: finite-volume temperature field of a rolling tire, version {}. "
                     "CITATION.cff in its sources has the entry",
@@ -61,7 +61,7 @@ Section citations_section(const solver::Problem& problem) {
     for (const auto& [source, effects] : sources) {
         section.item(fmt::format("{} ({})", source, fmt::join(effects, ", ")));
     }
-    Section ranges("Where its laws hold");
+    ReportSection ranges("Where its laws hold");
     const std::vector<solver::BeyondCompared> beyond = solver::beyond_compared(problem);
     for (const physics::ActiveEffect& active : problem.effects) {
         if (!active.effect->valid.empty()) {

@@ -8,9 +8,9 @@
 namespace tiretherm::post {
 
 /// Files that were read, version and commit of the program, versions of its libraries.
-[[nodiscard]] Section origin_section(const PageOrigin& origin);
+[[nodiscard]] ReportSection origin_section(const PageOrigin& origin);
 
 /// The program, and the sources of the effects that are on, each with the effects that come from it.
-[[nodiscard]] Section citations_section(const solver::Problem& problem);
+[[nodiscard]] ReportSection citations_section(const solver::Problem& problem);
 
 }  // namespace tiretherm::post

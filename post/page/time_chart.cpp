@@ -98,7 +98,7 @@ std::string add_bands(LineChart& lines, const TimeChart& chart, double from, dou
 
 }  // namespace
 
-void add_time_chart(Section& section, const std::string& title, const std::string& caption, TimeChart chart) {
+void add_time_chart(ReportSection& section, const std::string& title, const std::string& caption, TimeChart chart) {
     double from = 1e300;
     double to = -1e300;
     std::size_t curves = 0;

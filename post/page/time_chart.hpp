@@ -65,6 +65,6 @@ struct TimeChart {
 /// Adds the chart: a panel for each unit in the order of the first, the differences below it, the inputs that change at the
 /// bottom. All charts over time of a page zoom together. Nothing where the curves have no length.
 /// @param caption a sentence behind it says what the bands are
-void add_time_chart(Section& section, const std::string& title, const std::string& caption, TimeChart chart);
+void add_time_chart(ReportSection& section, const std::string& title, const std::string& caption, TimeChart chart);
 
 }  // namespace tiretherm::post

@@ -239,7 +239,7 @@ DataTable heat(const StoredResult& a, const StoredResult& b) {
 }
 
 /// Courses of one unit in a panel, A dashed, and B - A below it.
-void add_chart(Section& section, const std::vector<CoursePair>& pairs) {
+void add_chart(ReportSection& section, const std::vector<CoursePair>& pairs) {
     TimeChart chart{.difference = "B - A"};
     for (const auto& [a, b] : pairs) {
         TimeSeries series{.channel = a->name, .unit = {a->unit.c_str()}};  // as the files have it
@@ -324,11 +324,11 @@ Report pair_report(const StoredResult& a, const StoredResult& b) {
     const auto add = [&](const std::string& heading, const std::string& key, DataTable table) {
         report.data.set(key, table.data());
         if (!table.empty()) {
-            report.add(Section(heading, std::move(table)));
+            report.add(ReportSection(heading, std::move(table)));
         }
     };
     DataTable changed = inputs(a, b);
-    Section of_inputs("Inputs that differ");
+    ReportSection of_inputs("Inputs that differ");
     report.data.set("inputs", changed.data());
     if (changed.empty()) {
         of_inputs.say("none: both cases have the same values. Logs and tables that they name may differ.");
@@ -338,7 +338,7 @@ Report pair_report(const StoredResult& a, const StoredResult& b) {
     report.add(std::move(of_inputs));
     DataTable of_channels = channels(pairs);
     report.data.set("channels", of_channels.data());
-    Section courses("Channels", std::move(of_channels));
+    ReportSection courses("Channels", std::move(of_channels));
     for (const auto& [name, one, other] : {std::tuple("A", &a, &b), std::tuple("B", &b, &a)}) {
         if (const std::vector<std::string> lonely = only_in(*one, *other); !lonely.empty()) {
             courses.say(fmt::format("only {} has {}", name, input::listed(lonely)));

@@ -35,9 +35,9 @@ constexpr const char* legend =
     "the same test, are one experiment.";
 
 /// A difference of a row; 0 within a measured range.
-Cell off_cell(const Row& row, double off) { return {off, off == 0.0 ? "0" : in_digits_of(row.unit, off)}; }
+Cell off_cell(const QuotedResult& row, double off) { return {off, off == 0.0 ? "0" : in_digits_of(row.unit, off)}; }
 
-std::string fitted_text(const Attempt& attempt) {
+std::string fitted_text(const SingleAddition& attempt) {
     if (!attempt.addition.is_fitted()) {
         return "-";
     }
@@ -48,9 +48,11 @@ std::string fitted_text(const Attempt& attempt) {
            (attempt.fit.is_bound[0] ? ", at its limit" : "");
 }
 
-Value share_data(const Share& share) { return {{"value", share.value}, {"low", share.low}, {"high", share.high}}; }
+Value share_data(const ShareInterval& share) {
+    return {{"value", share.value}, {"low", share.low}, {"high", share.high}};
+}
 
-Value parameters_data(const Attempt& attempt) {
+Value parameters_data(const SingleAddition& attempt) {
     Value parameters = Value::Object{};
     if (attempt.addition.is_fitted()) {
         parameters.set(attempt.addition.key, {{"value", attempt.fit.values[0]},
@@ -66,9 +68,9 @@ DataTable attempt_table(const Analysis& analysis, std::size_t most) {
     const auto percent = [](double share) { return fmt::format("{}", std::lround(100.0 * share)); };
     DataTable table;
     for (std::size_t i = 0; i < std::min(most, analysis.attempts.size()); ++i) {
-        const Attempt& attempt = analysis.attempts[i];
+        const SingleAddition& attempt = analysis.attempts[i];
         const Addition& addition = attempt.addition;
-        const Share& removed = attempt.held_out.removed;
+        const ShareInterval& removed = attempt.held_out.removed;
         const double sigma = std::sqrt(std::max(0.0, analysis.chi_squared - attempt.fit.chi_squared));
         table.add(
             {page_only("", right(fmt::format("{}", i + 1))),
@@ -100,7 +102,7 @@ DataTable attempt_table(const Analysis& analysis, std::size_t most) {
 DataTable row_table(const QuotedDiagnosis& result, const Analysis& analysis) {
     DataTable table;
     for (std::size_t r = 0; r < result.numbers.rows.size(); ++r) {
-        const Row& row = result.numbers.rows[r];
+        const QuotedResult& row = result.numbers.rows[r];
         if (!analysis.counts[r]) {
             continue;
         }
@@ -124,11 +126,11 @@ DataTable row_table(const QuotedDiagnosis& result, const Analysis& analysis) {
 }
 
 /// What each addition removes, as bars, and the rows that count before and after.
-Section quoted_charts(const QuotedRecord& record) {
+ReportSection quoted_charts(const QuotedRecord& record) {
     const QuotedDiagnosis& result = record.result;
-    Section section("Before and after");
+    ReportSection section("Before and after");
     std::vector<Bar> removed;
-    for (const Attempt& attempt : result.decidable.attempts) {
+    for (const SingleAddition& attempt : result.decidable.attempts) {
         if (removed.size() < most_shown) {
             removed.push_back(
                 {attempt.addition.name() + (attempt.in_set ? " *" : ""), 100.0 * attempt.held_out.removed.value});
@@ -146,7 +148,7 @@ Section quoted_charts(const QuotedRecord& record) {
     std::vector<double> after;
     const Analysis& all = result.all;
     for (std::size_t r = 0; r < result.numbers.rows.size(); ++r) {
-        const Row& row = result.numbers.rows[r];
+        const QuotedResult& row = result.numbers.rows[r];
         if (all.counts[r]) {
             place.push_back(static_cast<double>(place.size()));
             labels.push_back(row.id);
@@ -182,7 +184,7 @@ Value names_data(const QuotedDiagnosis& result, const std::vector<std::size_t>& 
 
 Value gain_data(const Analysis& analysis) {
     const bool any = !analysis.steps.empty();
-    const Share removed = any ? analysis.steps.back().held_out.removed : Share{};
+    const ShareInterval removed = any ? analysis.steps.back().held_out.removed : ShareInterval{};
     return {{"removable_error_removed", where(any, removed.value)},
             {"low", where(any, removed.low)},
             {"high", where(any, removed.high)},
@@ -196,7 +198,7 @@ Value ids_data(const Analysis& analysis) {
         Value::List ids;
         for (const std::string& name : one) {
             const auto known = std::ranges::find_if(
-                analysis.attempts, [&](const Attempt& attempt) { return attempt.addition.name() == name; });
+                analysis.attempts, [&](const SingleAddition& attempt) { return attempt.addition.name() == name; });
             const bool is_effect = known != analysis.attempts.end() && (known->addition.kind == AdditionKind::effect ||
                                                                         known->addition.kind == AdditionKind::number);
             ids.push_back(is_effect ? known->addition.id : name);
@@ -209,7 +211,7 @@ Value ids_data(const Analysis& analysis) {
 Value analysis_data(const QuotedDiagnosis& result, const Analysis& analysis) {
     Value::List steps;
     for (std::size_t k = 0; k < analysis.steps.size(); ++k) {
-        const Step& step = analysis.steps[k];
+        const AcceptedAddition& step = analysis.steps[k];
         steps.push_back({{"name", step.addition.name()},
                          {"value", where(step.addition.is_fitted(), analysis.fit.values[k])},
                          {"removed", share_data(step.held_out.removed)},
@@ -236,8 +238,8 @@ Value analysis_data(const QuotedDiagnosis& result, const Analysis& analysis) {
             {"rows", row_table(result, analysis).data()}};
 }
 
-Section attempt_section(const char* heading, const Analysis& analysis) {
-    Section section(heading);
+ReportSection attempt_section(const char* heading, const Analysis& analysis) {
+    ReportSection section(heading);
     if (analysis.attempts.empty()) {
         return section;
     }
@@ -246,7 +248,7 @@ Section attempt_section(const char* heading, const Analysis& analysis) {
         section.say(fmt::format("{} more remove less; {} move none of these numbers. All stand in diagnosis.json.",
                                 analysis.attempts.size() - most_shown, analysis.without_effect));
     }
-    if (std::ranges::any_of(analysis.attempts, &Attempt::in_set)) {
+    if (std::ranges::any_of(analysis.attempts, &SingleAddition::in_set)) {
         section.say("*: in the set that these numbers cannot tell apart");
     }
     return section;
@@ -282,11 +284,11 @@ Report quoted_report(const QuotedRecord& record, const std::vector<std::filesyst
     report.add(quoted_charts(record));
     report.add(attempt_section("What each addition removes: decidable numbers", result.decidable));
     report.add(attempt_section("What each addition removes: all numbers", result.all));
-    Section method("");
+    ReportSection method("");
     method.say(legend);
     report.add(std::move(method));
-    report.add(Section("Decidable numbers, before and after", row_table(result, result.decidable)));
-    report.add(Section("All numbers, before and after", row_table(result, result.all)));
+    report.add(ReportSection("Decidable numbers, before and after", row_table(result, result.decidable)));
+    report.add(ReportSection("All numbers, before and after", row_table(result, result.all)));
     std::vector<std::string> remarks;
     for (const std::string& addition : result.not_simulated) {
         remarks.push_back(addition + ": no simulation with it came to its end");

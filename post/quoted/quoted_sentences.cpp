@@ -31,7 +31,7 @@ std::string off_text(const QuotedRecord& record, const Analysis& analysis) {
     for (const std::size_t experiment : analysis.off) {
         double worst = 0.0;
         for (std::size_t r = 0; r < analysis.counts.size(); ++r) {
-            const Row& row = record.result.numbers.rows[r];
+            const QuotedResult& row = record.result.numbers.rows[r];
             const double score = row.residual(row.value) / row.total();
             if (analysis.counts[r] && row.experiment == experiment && std::abs(score) > std::abs(worst)) {
                 worst = score;
@@ -72,7 +72,7 @@ std::string best_text(const Analysis& analysis) {
     if (analysis.attempts.empty()) {
         return "";
     }
-    const Attempt& best = analysis.attempts.front();
+    const SingleAddition& best = analysis.attempts.front();
     if (best.held_out.removed.value < 0.01) {
         return "No addition makes the error on experiments left out smaller.";
     }
@@ -90,8 +90,8 @@ std::string fitting_text(const Analysis& analysis) {
         return "";
     }
     std::vector<std::string> names;
-    const Attempt* best = &analysis.attempts.front();
-    for (const Attempt& attempt : analysis.attempts) {
+    const SingleAddition* best = &analysis.attempts.front();
+    for (const SingleAddition& attempt : analysis.attempts) {
         if (attempt.fits) {
             names.push_back(value_text(attempt.addition, attempt.fit, 0));
         }
@@ -148,9 +148,9 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
         case Verdict::confounded:
             break;
     }
-    const Share& removed = analysis.steps.back().held_out.removed;
+    const ShareInterval& removed = analysis.steps.back().held_out.removed;
     if (analysis.verdict == Verdict::partial) {
-        const Share& first = analysis.steps.front().held_out.removed;
+        const ShareInterval& first = analysis.steps.front().held_out.removed;
         all.push_back(
             fmt::format("The largest single improvement is {}; it removes {} of the error on experiments left out (95 "
                         "%: {} to {}).",

@@ -154,7 +154,7 @@ std::string case_table_text(const TableKeys& table) {
 }
 
 std::string case_tables_text(const std::vector<TableKeys>& tables) {
-    Table rows({true, true});
+    TextTable rows({true, true});
     for (const TableKeys& table : tables) {
         const std::size_t stop = table.sentence.find_first_of(".:");
         rows.add({heading_of(table), std::string(table.sentence.substr(0, stop))});

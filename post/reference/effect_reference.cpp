@@ -15,19 +15,19 @@ namespace tiretherm::post {
 
 namespace {
 
-std::string kind_name(physics::Kind kind) {
+std::string kind_name(physics::EffectKind kind) {
     switch (kind) {
-        case physics::Kind::source:
+        case physics::EffectKind::source:
             return "source";
-        case physics::Kind::loss:
+        case physics::EffectKind::loss:
             return "loss";
-        case physics::Kind::property:
+        case physics::EffectKind::property:
             return "property";
-        case physics::Kind::input:
+        case physics::EffectKind::input:
             return "input";
-        case physics::Kind::state:
+        case physics::EffectKind::state:
             return "initial state";
-        case physics::Kind::sensor:
+        case physics::EffectKind::sensor:
             return "sensor";
     }
     return "";
@@ -154,18 +154,18 @@ DataTable tables_of(const physics::Effect& effect) {
 /// Sections of one paragraph each, empty where there is nothing special.
 void add(Report& report, const char* heading, const char* key, std::string_view text) {
     report.data.set(key, text);
-    report.add(Section(heading, {std::string(text)}));
+    report.add(ReportSection(heading, {std::string(text)}));
 }
 
 void add(Report& report, const char* heading, const char* key, std::span<const std::string_view> names,
          std::string_view between = ", ") {
     report.data.set(key, std::vector<std::string_view>(names.begin(), names.end()));
-    report.add(Section(heading, {fmt::format("{}", fmt::join(names, between))}));
+    report.add(ReportSection(heading, {fmt::format("{}", fmt::join(names, between))}));
 }
 
 void add(Report& report, const char* heading, const char* key, DataTable table) {
     report.data.set(key, table.data());
-    report.add(Section(heading, std::move(table)));
+    report.add(ReportSection(heading, std::move(table)));
 }
 
 }  // namespace
@@ -209,7 +209,7 @@ constexpr std::string_view page_head =
 /// The report of an effect below a heading of its own: tables as they are, each paragraph behind its section's heading.
 std::string markdown_of(const physics::Effect& effect) {
     std::string text = fmt::format("\n### {}\n\n*{}, {}.* ", effect.id, kind_name(effect.kind), origin(effect));
-    for (const Section& section : effect_report(effect).sections) {
+    for (const ReportSection& section : effect_report(effect).sections) {
         for (const PageItem& block : section.blocks()) {
             const std::string& heading = section.heading();
             text += block.kind == PageItem::Kind::table ? "\n" + markdown_text(block.table)
@@ -224,13 +224,13 @@ std::string markdown_of(const physics::Effect& effect) {
 }  // namespace
 
 std::string effects_page() {
-    using physics::Kind;
-    constexpr std::array headings{std::pair{Kind::source, "Heat: sources and transfer"},
-                                  std::pair{Kind::loss, "Heat: losses"},
-                                  std::pair{Kind::property, "Properties and laws"},
-                                  std::pair{Kind::input, "Inputs"},
-                                  std::pair{Kind::state, "Initial state"},
-                                  std::pair{Kind::sensor, "Sensor models"}};
+    using physics::EffectKind;
+    constexpr std::array headings{std::pair{EffectKind::source, "Heat: sources and transfer"},
+                                  std::pair{EffectKind::loss, "Heat: losses"},
+                                  std::pair{EffectKind::property, "Properties and laws"},
+                                  std::pair{EffectKind::input, "Inputs"},
+                                  std::pair{EffectKind::state, "Initial state"},
+                                  std::pair{EffectKind::sensor, "Sensor models"}};
     std::string text(page_head);
     for (const auto& [kind, heading] : headings) {
         text += fmt::format("\n## {}\n", heading);

@@ -29,7 +29,7 @@ std::string table_text(const DataTable& table, std::size_t indent, std::size_t w
     PageColumns columns = page_columns(table);
     std::vector<bool> left = columns.to_right;
     left.flip();
-    Table lines(std::move(left));
+    TextTable lines(std::move(left));
     if (std::ranges::any_of(columns.headings, [](const std::string& heading) { return !heading.empty(); })) {
         lines.add(std::move(columns.headings));
     }
@@ -154,45 +154,46 @@ Value DataTable::data() const {
     return list;
 }
 
-Section::Section(std::string heading, const std::vector<std::string>& paragraphs) : heading_(std::move(heading)) {
+ReportSection::ReportSection(std::string heading, const std::vector<std::string>& paragraphs)
+    : heading_(std::move(heading)) {
     for (const std::string& paragraph : paragraphs) {
         say(paragraph);
     }
 }
 
-void Section::say(std::string paragraph) {
+void ReportSection::say(std::string paragraph) {
     if (!paragraph.empty()) {
         add(PageItem::Kind::paragraph, std::move(paragraph));
     }
 }
 
-void Section::gap() {
+void ReportSection::gap() {
     if (!blocks_.empty()) {
         add(PageItem::Kind::gap, "");
     }
 }
 
-void Section::add(DataTable table) {
+void ReportSection::add(DataTable table) {
     if (!table.empty()) {
         blocks_.push_back({PageItem::Kind::table, "", std::move(table), {}});
     }
 }
 
-void Section::add(Section part) {
+void ReportSection::add(ReportSection part) {
     blocks_.push_back({PageItem::Kind::part, std::move(part.heading_), {}, std::move(part.blocks_)});
 }
 
-void Section::chart(std::string title, std::string caption, Value data) {
+void ReportSection::chart(std::string title, std::string caption, Value data) {
     blocks_.push_back({PageItem::Kind::chart, std::move(title), {}, {}, std::move(caption), std::move(data)});
 }
 
-bool Section::has_text() const {
+bool ReportSection::has_text() const {
     return std::ranges::any_of(blocks_, [](const PageItem& block) { return block.kind != PageItem::Kind::chart; });
 }
 
 void Report::add(std::string heading, std::string key, const std::vector<std::string>& sentences) {
     data.set(std::move(key), sentences);
-    add(Section(std::move(heading), sentences));
+    add(ReportSection(std::move(heading), sentences));
 }
 
 void Report::add_warnings(std::vector<std::string> warnings, const std::vector<std::string>& of_laws) {
@@ -201,12 +202,12 @@ void Report::add_warnings(std::vector<std::string> warnings, const std::vector<s
 }
 
 void Report::add_verdict(std::vector<std::string> sentences) {
-    add(Section(verdict_heading, sentences));
+    add(ReportSection(verdict_heading, sentences));
     verdict = std::move(sentences);
 }
 
 void Report::add(const std::vector<std::filesystem::path>& files) {
-    Section section("Files");
+    ReportSection section("Files");
     Value::List outputs;
     for (const std::filesystem::path& file : files) {
         section.line(file.string());
@@ -220,8 +221,8 @@ std::string plural(std::size_t n, std::string_view thing) {
     return fmt::format("{} {}{}", n, thing, n == 1 ? "" : "s");
 }
 
-const Section& section(const Report& report, std::string_view heading) {
-    const auto found = std::ranges::find(report.sections, heading, &Section::heading);
+const ReportSection& section(const Report& report, std::string_view heading) {
+    const auto found = std::ranges::find(report.sections, heading, &ReportSection::heading);
     assert(found != report.sections.end());
     return *found;
 }
@@ -231,7 +232,7 @@ std::string page_text(const Report& report, bool bold, const PageWidth& width) {
         return bold ? fmt::format("\033[1m{}\033[0m\n", line) : line + "\n";
     };
     std::string text = strong(one_line(report.title));
-    if (std::ranges::find(report.sections, verdict_heading, &Section::heading) == report.sections.end()) {
+    if (std::ranges::find(report.sections, verdict_heading, &ReportSection::heading) == report.sections.end()) {
         for (const std::string& line : report.verdict) {
             text += wrap(one_line(line), 0, width.prose);
         }
@@ -239,7 +240,7 @@ std::string page_text(const Report& report, bool bold, const PageWidth& width) {
     for (const std::string& line : report.lead) {
         text += one_line(line) + "\n";
     }
-    for (const Section& section : report.sections) {
+    for (const ReportSection& section : report.sections) {
         if (!section.has_text()) {
             continue;
         }

@@ -101,12 +101,12 @@ struct PageItem {
 };
 
 /// A heading and what stands below it. Without a heading it is set apart by an empty line, or follows the title at once.
-class Section {
+class ReportSection {
 public:
-    explicit Section(std::string heading) : heading_(std::move(heading)) {}
+    explicit ReportSection(std::string heading) : heading_(std::move(heading)) {}
     /// Sentences, a paragraph each.
-    Section(std::string heading, const std::vector<std::string>& paragraphs);
-    Section(std::string heading, DataTable table) : heading_(std::move(heading)) { add(std::move(table)); }
+    ReportSection(std::string heading, const std::vector<std::string>& paragraphs);
+    ReportSection(std::string heading, DataTable table) : heading_(std::move(heading)) { add(std::move(table)); }
 
     /// Nothing, where there is nothing to say.
     void say(std::string paragraph);
@@ -115,7 +115,7 @@ public:
     /// An empty line, where something stands above it.
     void gap();
     void add(DataTable table);
-    void add(Section part);
+    void add(ReportSection part);
     /// A chart of the page as HTML. @param data post/page/charts.hpp makes it
     void chart(std::string title, std::string caption, Value data);
     /// Whether there is anything on the page as text.
@@ -134,13 +134,13 @@ private:
 /// A result: one page and its data.
 struct Report {
     std::string title;
-    std::vector<std::string> lead = {};  ///< lines below the title
-    std::vector<Section> sections = {};  ///< those with nothing in them are left out
+    std::vector<std::string> lead = {};        ///< lines below the title
+    std::vector<ReportSection> sections = {};  ///< those with nothing in them are left out
     Value data = {};
-    std::vector<std::string> verdict = {};  ///< below the title: the answer with its doubt, a sentence each
-    std::vector<Section> appendix = {};     ///< of the page as HTML, at its end
+    std::vector<std::string> verdict = {};     ///< below the title: the answer with its doubt, a sentence each
+    std::vector<ReportSection> appendix = {};  ///< of the page as HTML, at its end
 
-    void add(Section section) { sections.push_back(std::move(section)); }
+    void add(ReportSection section) { sections.push_back(std::move(section)); }
     /// Sentences, on the page and under a key of the data.
     void add(std::string heading, std::string key, const std::vector<std::string>& sentences);
     /// The section of warnings. @param of_laws those of laws beyond their ranges
@@ -157,7 +157,7 @@ inline constexpr const char* verdict_heading = "Verdict";
 [[nodiscard]] std::string plural(std::size_t n, std::string_view thing);
 
 /// The section of this heading. @pre there is one
-[[nodiscard]] const Section& section(const Report& report, std::string_view heading);
+[[nodiscard]] const ReportSection& section(const Report& report, std::string_view heading);
 
 /// Columns that a page may take. In a file or a pipe a row of a table stays one line, whatever its length.
 struct PageWidth {

@@ -43,7 +43,7 @@ static_assert(works.size() == static_cast<std::size_t>(Work::next_experiment) + 
 
 std::string_view text_of(Part part) { return parts[static_cast<std::size_t>(part)]; }
 
-std::string text_of(const diagnosis::Stage& stage) {
+std::string text_of(const diagnosis::Activity& stage) {
     const std::string work = fmt::format(fmt::runtime(works[static_cast<std::size_t>(stage.doing)]), stage.count);
     return stage.run.empty() ? work : fmt::format("{} alone: {}", stage.run, work);
 }

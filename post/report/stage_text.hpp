@@ -12,6 +12,6 @@ namespace tiretherm::post {
 /// "search of causes"; empty of none.
 [[nodiscard]] std::string_view text_of(diagnosis::Part part);
 /// "candidate", "run1 alone: candidate", without the number of the piece.
-[[nodiscard]] std::string text_of(const diagnosis::Stage& stage);
+[[nodiscard]] std::string text_of(const diagnosis::Activity& stage);
 
 }  // namespace tiretherm::post

@@ -49,14 +49,14 @@ std::size_t columns_of(std::string_view text) {
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-void Table::add(std::vector<std::string> cells) {
+void TextTable::add(std::vector<std::string> cells) {
     for (std::string& cell : cells) {
         std::ranges::replace(cell, '\n', ' ');  // of a title or the name of a file: a row is a line
     }
     rows_.push_back(std::move(cells));
 }
 
-std::vector<std::size_t> Table::widths() const {
+std::vector<std::size_t> TextTable::widths() const {
     std::vector<std::size_t> width(left_.size());
     for (const std::vector<std::string>& row : rows_) {
         for (std::size_t c = 0; c < row.size(); ++c) {
@@ -66,7 +66,7 @@ std::vector<std::size_t> Table::widths() const {
     return width;
 }
 
-std::vector<std::string> Table::lines(std::size_t indent) const {
+std::vector<std::string> TextTable::lines(std::size_t indent) const {
     const std::vector<std::size_t> width = widths();
     std::vector<std::string> result;
     for (const std::vector<std::string>& row : rows_) {
@@ -79,7 +79,7 @@ std::vector<std::string> Table::lines(std::size_t indent) const {
     return result;
 }
 
-bool Table::is_empty(std::size_t row, std::size_t from, std::size_t to) const {
+bool TextTable::is_empty(std::size_t row, std::size_t from, std::size_t to) const {
     for (std::size_t c = from; c < std::min(to, rows_[row].size()); ++c) {
         if (!rows_[row][c].empty()) {
             return false;
@@ -88,8 +88,8 @@ bool Table::is_empty(std::size_t row, std::size_t from, std::size_t to) const {
     return true;
 }
 
-std::string Table::block(std::size_t repeated, std::size_t from, std::size_t to, std::size_t indent,
-                         const std::vector<std::size_t>& width) const {
+std::string TextTable::block(std::size_t repeated, std::size_t from, std::size_t to, std::size_t indent,
+                             const std::vector<std::size_t>& width) const {
     std::vector<std::size_t> columns;
     for (std::size_t c = 0; c < to; ++c) {
         if (c < repeated || c >= from) {
@@ -119,7 +119,7 @@ std::string Table::block(std::size_t repeated, std::size_t from, std::size_t to,
     return all;
 }
 
-std::string Table::text(std::size_t indent, std::size_t page) const {
+std::string TextTable::text(std::size_t indent, std::size_t page) const {
     std::vector<std::size_t> width = widths();
     const std::size_t n = width.size();
     const auto space = [&](std::size_t c) { return width[c] + (c == 0 ? 0 : gap); };

@@ -18,10 +18,10 @@ inline constexpr std::size_t widest_prose = 120;
 [[nodiscard]] std::size_t columns_of(std::string_view text);
 
 /// Text in aligned columns, two blanks apart.
-class Table {
+class TextTable {
 public:
     /// @param left for each column, whether it is aligned to the left; numbers go to the right
-    explicit Table(std::vector<bool> left) : left_(std::move(left)) {}
+    explicit TextTable(std::vector<bool> left) : left_(std::move(left)) {}
 
     void add(std::vector<std::string> cells);
 

@@ -41,7 +41,7 @@ DataTable readings_by_corner(std::span<const RunRecord> runs) {
 /// "FL, nearest of the tires to a critical temperature: belt edge 117.0 +- 4.1 degC: below its critical 120 degC with a
 /// probability of 77 %; hottest 117.0 degC, tread, centre, at 620 s."
 std::string hottest_of(const RunRecord& run, bool is_first) {
-    const solver::Report::Extreme& hottest = run.report.hottest;
+    const solver::MarchReport::Extreme& hottest = run.report.hottest;
     const std::optional<NearestSpot> spot = nearest_spot(run);
     const char* first = spot ? ", nearest of the tires to a critical temperature" : ", hottest of the tires";
     return fmt::format("{}{}: {}{:.1f} degC, {}, at {:.6g} s.", run.corner, is_first ? first : "",
@@ -109,7 +109,7 @@ Report car_report(std::span<const RunRecord> runs, const diagnosis::WhatIf* what
                  {"version", first.provenance.version},
                  {"seconds", seconds},
                  {"corners", std::move(corners)}};
-    Section sensors("Sensors", readings_by_corner(runs));
+    ReportSection sensors("Sensors", readings_by_corner(runs));
     add_channel_charts(sensors, runs);
     page.add(std::move(sensors));
     if (!first.problem.settings.steady) {

@@ -10,8 +10,8 @@
 
 namespace tiretherm::post {
 
-Section cost_section(const RunRecord& run) {
-    const solver::Report& report = run.report;
+ReportSection cost_section(const RunRecord& run) {
+    const solver::MarchReport& report = run.report;
     const mesh::Mesh& mesh = run.problem.mesh;
     const bool round = mesh.is_axisymmetric();
     std::string layers;

@@ -83,15 +83,15 @@ std::string shares_of_sliding(const RunRecord& run) {
 
 }  // namespace
 
-Section heat_budget_section(const RunRecord& run) {
-    const solver::Report& report = run.report;
+ReportSection heat_budget_section(const RunRecord& run) {
+    const solver::MarchReport& report = run.report;
     std::vector<double> watts;
     std::vector<double> kilojoules;
     std::vector<std::string> names;
     for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {
         const physics::Effect& effect = *run.problem.effects[e].effect;
         // Property modifiers and sensor models have no heat of their own, and what conducts only moves it.
-        const bool has_terms = effect.heat_effect() != nullptr && effect.kind != physics::Kind::property;
+        const bool has_terms = effect.heat_effect() != nullptr && effect.kind != physics::EffectKind::property;
         const bool within =
             !run.problem.effects[e].coupling_faces.empty() && report.watts[e] == 0.0;  // from node to node
         if ((has_terms && !within) || report.joules[e] != 0.0) {
@@ -118,9 +118,10 @@ Section heat_budget_section(const RunRecord& run) {
     if (!steady) {
         add("stored", "", with_decimals(symmetry * report.stored / 1e3, of_kilojoules));
     }
-    Section section(symmetry == 1.0 ? std::string("Heat budget")
-                                    : fmt::format("Heat budget of the whole specimen, {:g} times the mesh", symmetry),
-                    std::move(table));
+    ReportSection section(symmetry == 1.0
+                              ? std::string("Heat budget")
+                              : fmt::format("Heat budget of the whole specimen, {:g} times the mesh", symmetry),
+                          std::move(table));
     section.say(fmt::format("energy balance error {:.1e} ({}, relative to all heat exchanged)", report.energy_closure,
                             steady ? "sum" : "stored minus sum"));
     if (std::string sliding = shares_of_sliding(run); !sliding.empty()) {

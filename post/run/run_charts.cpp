@@ -58,7 +58,7 @@ std::string caption_of(const RunRecord& run) {
 
 }  // namespace
 
-void add_channel_charts(Section& section, std::span<const RunRecord> runs) {
+void add_channel_charts(ReportSection& section, std::span<const RunRecord> runs) {
     const RunRecord& run = runs.front();
     const bool is_single = runs.size() == 1;
     if (run.history.rows() < 2 || (run.problem.channels.empty() && run.hot_spots == nullptr)) {
@@ -84,7 +84,7 @@ void add_channel_charts(Section& section, std::span<const RunRecord> runs) {
     add_time_chart(section, "Sensors against time", caption_of(run), std::move(chart));
 }
 
-void add_heat_course(Section& section, const RunRecord& run) {
+void add_heat_course(ReportSection& section, const RunRecord& run) {
     if (run.history.rows() < 2 || run.problem.settings.steady) {
         return;
     }
@@ -118,7 +118,7 @@ void add_heat_course(Section& section, const RunRecord& run) {
                    std::move(chart));
 }
 
-void add_heat_charts(Section& section, const RunRecord& run) {
+void add_heat_charts(ReportSection& section, const RunRecord& run) {
     std::vector<Bar> watts;
     std::vector<Bar> kilojoules;
     for (std::size_t e = 0; e < run.problem.effects.size(); ++e) {

@@ -78,7 +78,7 @@ void RunFiles::write_tables(const RunRecord& run) {
     }
 }
 
-void RunFiles::finish(const solver::Report& report) {
+void RunFiles::finish(const solver::MarchReport& report) {
     if (report.hottest.node >= 0) {
         if (with_page_) {
             fields_.take_hottest(report.hottest.time, report.hottest_field);

@@ -34,7 +34,7 @@ public:
     /// @errors FileError
     void take(const solver::Snapshot& snapshot);
     /// Stores the field at the hottest step, completes the files and draws the pictures. @errors FileError
-    void finish(const solver::Report& report);
+    void finish(const solver::MarchReport& report);
 
     /// The courses of the hot spots as hot_spots.csv. @errors FileError
     void write_hot_spots(const diagnosis::HotSpots& hot_spots);

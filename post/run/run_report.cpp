@@ -31,8 +31,8 @@ namespace {
 constexpr double beyond_any_tire = 5000.0;
 
 /// Whether a run failed in temperatures that mean nothing.
-bool is_meaningless(const solver::Report& report) {
-    const auto strange = [](const solver::Report::Extreme& extreme) {
+bool is_meaningless(const solver::MarchReport& report) {
+    const auto strange = [](const solver::MarchReport::Extreme& extreme) {
         return extreme.node >= 0 && !(extreme.temperature >= 0.0 && extreme.temperature <= beyond_any_tire);
     };
     return !report.status.ok() && report.status.outcome != solver::Outcome::stopped &&
@@ -41,7 +41,7 @@ bool is_meaningless(const solver::Report& report) {
 
 DataTable extremes(const RunRecord& run) {
     DataTable table;
-    const auto add = [&](const char* name, const solver::Report::Extreme& extreme) {
+    const auto add = [&](const char* name, const solver::MarchReport::Extreme& extreme) {
         if (extreme.node >= 0) {
             const std::string degrees = with_decimals(celsius(extreme.temperature), 2) + " degC";
             table.add({page_only("", name), page_only("", right(degrees)),
@@ -81,7 +81,7 @@ std::string missed_between_rows(const RunRecord& run) {
                              run.problem.settings.output_interval, run.problem.channels[where].name, most);
 }
 
-Value extreme(const RunRecord& run, const solver::Report::Extreme& found) {
+Value extreme(const RunRecord& run, const solver::MarchReport::Extreme& found) {
     const mesh::Place place = mesh::place_of(run.problem.mesh, found.node);
     Value position;  // null for a lump
     if (place.position) {
@@ -111,7 +111,7 @@ Value budget(const RunRecord& run) {
     return list;
 }
 
-Value seconds_by_part(const solver::Report& report) {
+Value seconds_by_part(const solver::MarchReport& report) {
     constexpr std::array parts{"assembly", "factor", "solve", "output"};
     Value data;
     for (std::size_t i = 0; i < std::min(parts.size(), report.seconds.size()); ++i) {
@@ -122,14 +122,14 @@ Value seconds_by_part(const solver::Report& report) {
 
 void add_results(Report& page, const RunRecord& run) {
     const mesh::Mesh& mesh = run.problem.mesh;
-    Section section("Sensors", readings(run, page.data));
+    ReportSection section("Sensors", readings(run, page.data));
     section.add(extremes(run));
     if (const std::string missed = missed_between_rows(run); !missed.empty()) {
         section.say(missed);
     }
     add_channel_charts(section, std::span(&run, 1));
     if (is_meaningless(run.report)) {
-        Section nothing("Results");
+        ReportSection nothing("Results");
         nothing.say(fmt::format(
             "No valid results: temperatures reached {:.3g} degC, beyond the range of all laws of a tire. What the rows "
             "have up to there is in channels.csv and results.h5. Look for a power, a film or a time in the wrong unit",
@@ -151,7 +151,7 @@ void add_results(Report& page, const RunRecord& run) {
                    {"hottest", extreme(run, run.report.hottest)},
                    {"coldest", extreme(run, run.report.coldest)}});
     if (run.fields != nullptr && !run.fields->empty()) {
-        Section field("Temperature field");
+        ReportSection field("Temperature field");
         field.chart("Temperature field", run.fields->caption(run.hot_spots), run.fields->chart(run.hot_spots));
         if (const TreadFrames* tread = run.fields->tread()) {
             field.chart("Tread, unrolled", tread->caption(), tread->chart());
@@ -163,7 +163,7 @@ void add_results(Report& page, const RunRecord& run) {
         page.data.set("hot_spots", hot_spots_data(*run.hot_spots, mesh));
     }
     if (!is_meaningless(run.report)) {
-        Section heat = heat_budget_section(run);
+        ReportSection heat = heat_budget_section(run);
         add_heat_course(heat, run);
         add_heat_charts(heat, run);
         page.add(std::move(heat));
@@ -214,7 +214,7 @@ std::string spot_verdict(const diagnosis::HotSpot& spot) {
 /// Of each hot spot whether and when it passes its critical temperature, the hottest place of the run, and what was measured.
 std::vector<std::string> verdict_of(const RunRecord& run, const solver::Extrapolations& extrapolations) {
     std::vector<std::string> verdict;
-    const solver::Report::Extreme& hottest = run.report.hottest;
+    const solver::MarchReport::Extreme& hottest = run.report.hottest;
     if (hottest.node < 0 || is_meaningless(run.report)) {
         return verdict;
     }
@@ -253,7 +253,7 @@ std::optional<NearestSpot> nearest_spot(const RunRecord& run) {
 }
 
 Report run_report(const RunRecord& run) {
-    const solver::Report& report = run.report;
+    const solver::MarchReport& report = run.report;
     const std::string& name = run.problem.name;
     const std::string& title = run.problem.title;
     Report page{.title = title.empty() || title == name ? name : fmt::format("{} ({})", title, name)};

@@ -21,7 +21,7 @@ namespace tiretherm::post {
 /// A run that is over, as the summary needs it.
 struct RunRecord {
     const solver::Problem& problem;
-    const solver::Report& report;
+    const solver::MarchReport& report;
     const History& history;
     const FieldFrames* fields = nullptr;  ///< stored fields for the page; null: none
     Provenance provenance;

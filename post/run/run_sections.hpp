@@ -16,12 +16,12 @@ namespace tiretherm::post {
 [[nodiscard]] DataTable readings(const RunRecord& run, Value& data);
 
 /// Watts at the end and kilojoules in all, effect by effect, their sum and what was stored; the energy closure.
-[[nodiscard]] Section heat_budget_section(const RunRecord& run);
+[[nodiscard]] ReportSection heat_budget_section(const RunRecord& run);
 
 /// The channels against time, quantity by quantity, measured values beside them, the inputs below and laps or steps as bands;
 /// hot spots with the moments at which they pass their critical temperatures. Of several tires all in one chart, without
 /// inputs and hot spots.
-void add_channel_charts(Section& section, std::span<const RunRecord> runs);
+void add_channel_charts(ReportSection& section, std::span<const RunRecord> runs);
 
 /// Each channel in each lap as far as the run came, then over the whole run. By time, between the rows of output.
 [[nodiscard]] std::vector<LapRow> lap_rows(const RunRecord& run);
@@ -29,13 +29,14 @@ void add_channel_charts(Section& section, std::span<const RunRecord> runs);
 [[nodiscard]] diagnosis::RunHeat heat_of(const RunRecord& run);
 
 /// Watts of each effect at every row, and their sum. Nothing for a steady state.
-void add_heat_course(Section& section, const RunRecord& run);
+void add_heat_course(ReportSection& section, const RunRecord& run);
 
 /// The heat of each effect as bars.
-void add_heat_charts(Section& section, const RunRecord& run);
+void add_heat_charts(ReportSection& section, const RunRecord& run);
 
 /// What changes of single values do: a row for each change and tire, and which values move nothing.
-[[nodiscard]] Section what_if_section(const diagnosis::WhatIf& what_if, const std::vector<solver::Channel>& channels);
+[[nodiscard]] ReportSection what_if_section(const diagnosis::WhatIf& what_if,
+                                            const std::vector<solver::Channel>& channels);
 [[nodiscard]] Value what_if_data(const diagnosis::WhatIf& what_if, const std::vector<solver::Channel>& channels);
 
 /// The hot spot that is nearest to its critical temperature, or furthest beyond it.
@@ -46,6 +47,6 @@ struct NearestSpot {
 [[nodiscard]] std::optional<NearestSpot> nearest_spot(const RunRecord& run);
 
 /// Mesh, steps, linear solver, wall time.
-[[nodiscard]] Section cost_section(const RunRecord& run);
+[[nodiscard]] ReportSection cost_section(const RunRecord& run);
 
 }  // namespace tiretherm::post

@@ -77,7 +77,7 @@ double shown_stiffness(const solver::Problem& problem, double load, double T) {
     return problem.handling.cornering_stiffness(problem.tire, at_load(problem, load), T);
 }
 
-void add_law_charts(Section& section, const solver::Problem& problem) {
+void add_law_charts(ReportSection& section, const solver::Problem& problem) {
     const std::vector<double> loads = fine_loads(shown_loads(problem).back());
     const std::vector<double> shown_x = scaled(loads, 1e-3);
     for (std::size_t i = 0; i < shown_laws.size();) {
@@ -101,7 +101,7 @@ void add_law_charts(Section& section, const solver::Problem& problem) {
     }
 }
 
-void add_stiffness_chart(Section& section, const solver::Problem& problem) {
+void add_stiffness_chart(ReportSection& section, const solver::Problem& problem) {
     const StiffnessMap map = stiffness_map(problem);
     const std::vector<double> loads = fine_loads(std::max(map.loads.back(), shown_loads(problem).back()));
     const std::vector<double> shown_x = scaled(loads, 1e-3);

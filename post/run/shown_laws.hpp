@@ -46,8 +46,8 @@ struct StiffnessMap {
 [[nodiscard]] double shown_stiffness(const solver::Problem& problem, double load, double T);
 
 /// Footprint and radii against the load, with measured points.
-void add_law_charts(Section& section, const solver::Problem& problem);
+void add_law_charts(ReportSection& section, const solver::Problem& problem);
 /// The stiffness against the load, a curve for each temperature, with measured points.
-void add_stiffness_chart(Section& section, const solver::Problem& problem);
+void add_stiffness_chart(ReportSection& section, const solver::Problem& problem);
 
 }  // namespace tiretherm::post

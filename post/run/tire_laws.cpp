@@ -92,8 +92,8 @@ bool shows_stiffness(const solver::Problem& problem) {
             }));
 }
 
-Section tire_laws_section(const solver::Problem& problem) {
-    Section section("Tire laws");
+ReportSection tire_laws_section(const solver::Problem& problem) {
+    ReportSection section("Tire laws");
     if (!has_tire(problem)) {
         return section;
     }

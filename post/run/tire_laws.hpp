@@ -24,7 +24,7 @@ struct CompoundPeak {
 
 /// Charts of the laws against the load with measured points; tables of measured and computed values, and of the cornering
 /// stiffness where the case has one. Empty without a tire.
-[[nodiscard]] Section tire_laws_section(const solver::Problem& problem);
+[[nodiscard]] ReportSection tire_laws_section(const solver::Problem& problem);
 /// loss_tangent_peaks, laws, measured, cornering_stiffness and the units of their numbers; nothing without a tire.
 [[nodiscard]] Value tire_laws_data(const solver::Problem& problem);
 

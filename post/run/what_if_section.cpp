@@ -60,8 +60,8 @@ DataTable table_of(const WhatIf& what_if, const std::vector<solver::Channel>& ch
 
 }  // namespace
 
-Section what_if_section(const WhatIf& what_if, const std::vector<solver::Channel>& channels) {
-    Section section("What if");
+ReportSection what_if_section(const WhatIf& what_if, const std::vector<solver::Channel>& channels) {
+    ReportSection section("What if");
     if (!what_if.rows.empty()) {
         section.add(table_of(what_if, channels));
         section.say(

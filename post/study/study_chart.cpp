@@ -28,16 +28,16 @@ const std::string& text_of(const StudyRecord& study, std::size_t side, std::size
     return study.columns[side].texts[point * study.samples];
 }
 
-struct Curve {
+struct StudyCurve {
     std::string name;
     /// x, median, low, high of each point
     std::vector<std::array<double, 4>> points;
 };
 
 /// The values of one side against another, at the first value of all further sides.
-std::vector<Curve> curves_of(const StudyRecord& study, std::size_t x, const StudyAxis& axis,
-                             const std::vector<std::size_t>& others) {
-    std::vector<Curve> curves;
+std::vector<StudyCurve> curves_of(const StudyRecord& study, std::size_t x, const StudyAxis& axis,
+                                  const std::vector<std::size_t>& others) {
+    std::vector<StudyCurve> curves;
     for (std::size_t point = 0; point < study.points(); ++point) {
         const bool first = std::ranges::all_of(others.begin() + (others.empty() ? 0 : 1), others.end(),
                                                [&](std::size_t side) { return along(study, point, side) == 0; });
@@ -46,20 +46,20 @@ std::vector<Curve> curves_of(const StudyRecord& study, std::size_t x, const Stud
             continue;
         }
         const std::string name = others.empty() ? std::string("hottest temperature") : text_of(study, others[0], point);
-        auto curve = std::ranges::find(curves, name, &Curve::name);
+        auto curve = std::ranges::find(curves, name, &StudyCurve::name);
         if (curve == curves.end()) {
-            curve = curves.insert(curves.end(), Curve{name, {}});
+            curve = curves.insert(curves.end(), StudyCurve{name, {}});
         }
         curve->points.push_back({axis.at[along(study, point, x)], quantile(hottest, 0.5), quantile(hottest, 0.05),
                                  quantile(hottest, 0.95)});
     }
-    for (Curve& curve : curves) {
+    for (StudyCurve& curve : curves) {
         std::ranges::sort(curve.points, {}, [](const auto& point) { return point[0]; });
     }
     return curves;
 }
 
-std::vector<double> column(const Curve& curve, std::size_t index) {
+std::vector<double> column(const StudyCurve& curve, std::size_t index) {
     std::vector<double> values;
     for (const auto& point : curve.points) {
         values.push_back(point[index]);
@@ -97,8 +97,8 @@ void add_upright(LineChart& chart, const std::string& name, double x, double top
     chart.add_curve(name, name, CurveRole::dashed, std::array{x, x}, std::array{0.0, top});
 }
 
-Section distribution(const StudyRecord& study) {
-    Section section("Distribution");
+ReportSection distribution(const StudyRecord& study) {
+    ReportSection section("Distribution");
     const std::vector<double> hottest = hottest_at(study, 0);  // coldest first
     if (hottest.size() < 2) {
         return section;
@@ -146,12 +146,12 @@ Section distribution(const StudyRecord& study) {
 
 }  // namespace
 
-Section study_chart_section(const StudyRecord& study) {
+ReportSection study_chart_section(const StudyRecord& study) {
     const std::vector<std::size_t> sides = wide_sides(study);
     if (sides.empty()) {
         return distribution(study);
     }
-    Section section("Hottest temperature");
+    ReportSection section("Hottest temperature");
     // The side with the most values is the axis: fewer curves say the same.
     const std::size_t x = *std::ranges::max_element(sides, {}, [&](std::size_t side) { return study.sides[side]; });
     std::vector<std::size_t> others = sides;
@@ -162,7 +162,7 @@ Section study_chart_section(const StudyRecord& study) {
         chart.set_labels(axis.labels_in_order());
     }
     chart.add_panel("hottest temperature", "°C");
-    for (const Curve& curve : curves_of(study, x, axis, others)) {
+    for (const StudyCurve& curve : curves_of(study, x, axis, others)) {
         if (study.samples > 1 && axis.is_number) {
             chart.add_band(curve.name, curve.name, column(curve, 0), column(curve, 2), column(curve, 3));
         } else if (study.samples > 1) {

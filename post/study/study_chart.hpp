@@ -9,10 +9,10 @@ namespace tiretherm::post {
 
 /// Against what is varied, with samples their median and the range of nine tenths of them; of two varied values a curve for each
 /// value of the first, and maps; of samples alone how they are distributed.
-[[nodiscard]] Section study_chart_section(const diagnosis::StudyRecord& study);
+[[nodiscard]] ReportSection study_chart_section(const diagnosis::StudyRecord& study);
 
 /// A map of the first two sides of the grid for each value of the others; only the first of these where they are more than six.
 /// @pre two sides have more than one value
-void add_study_maps(Section& section, const diagnosis::StudyRecord& study);
+void add_study_maps(ReportSection& section, const diagnosis::StudyRecord& study);
 
 }  // namespace tiretherm::post

@@ -82,7 +82,7 @@ std::string held(const StudyRecord& study, std::size_t side_x, std::size_t side_
 
 }  // namespace
 
-void add_study_maps(Section& section, const StudyRecord& study) {
+void add_study_maps(ReportSection& section, const StudyRecord& study) {
     const std::vector<std::size_t> wide = wide_sides(study);
     std::vector<std::size_t> corners{0};
     for (std::size_t k = 2; k < wide.size(); ++k) {

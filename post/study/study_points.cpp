@@ -110,8 +110,8 @@ DataTable study_points(const StudyRecord& study) {
     return table;
 }
 
-Section drivers_section(const StudyRecord& study) {
-    Section section("What drives it");
+ReportSection drivers_section(const StudyRecord& study) {
+    ReportSection section("What drives it");
     for (std::size_t point = 0; study.is_sampled && point < study.points() && study.points() <= most_rows; ++point) {
         const StudyRegression line = regression(study, point);
         if (!line.exists()) {

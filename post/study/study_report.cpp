@@ -50,9 +50,9 @@ Value run_data(const StudyRecord& study, std::size_t run) {
 }
 
 /// Rows: the first side of the grid, columns: the second one. Empty where a page would not hold it.
-Section grid_section(const StudyRecord& study) {
-    Section section(study.is_sampled ? "Hottest temperature [degC], median of the samples"
-                                     : "Hottest temperature [degC]");
+ReportSection grid_section(const StudyRecord& study) {
+    ReportSection section(study.is_sampled ? "Hottest temperature [degC], median of the samples"
+                                           : "Hottest temperature [degC]");
     if (study.sides.size() != 2 || study.sides[0] > most_rows || study.sides[1] > most_columns) {
         return section;
     }
@@ -82,8 +82,8 @@ std::string extreme_text(const StudyRecord& study, const char* name, std::size_t
 }
 
 /// On the page, and "hottest" and "coldest" of the data; nothing where all runs failed.
-Section extremes_section(const StudyRecord& study, Value& data) {
-    Section section("Extremes");
+ReportSection extremes_section(const StudyRecord& study, Value& data) {
+    ReportSection section("Extremes");
     std::vector<std::size_t> done;
     for (std::size_t run = 0; run < study.outcomes.size(); ++run) {
         if (study.outcomes[run].ok()) {
@@ -104,8 +104,8 @@ Section extremes_section(const StudyRecord& study, Value& data) {
 }
 
 /// On the page, and "failed" of the data.
-Section failures_section(const StudyRecord& study, Value::List& data) {
-    Section section("Runs that failed");
+ReportSection failures_section(const StudyRecord& study, Value::List& data) {
+    ReportSection section("Runs that failed");
     for (const std::size_t run : study.failed()) {
         data.push_back(run_data(study, run));
         if (data.size() <= most_failures) {
@@ -118,14 +118,14 @@ Section failures_section(const StudyRecord& study, Value::List& data) {
     return section;
 }
 
-Section cost_section(const StudyRecord& study, const StudyCall& call) {
+ReportSection cost_section(const StudyRecord& study, const StudyCall& call) {
     const std::size_t made = study.outcomes.size() - call.kept;
     std::string cost = fmt::format("{} kept, {} made now in {:.1f} s", call.kept, made, call.seconds);
     if (made > 0) {
         cost +=
             fmt::format(" ({:.3f} s a run, {} at a time)", call.run_seconds / static_cast<double>(made), call.threads);
     }
-    Section section("Cost");
+    ReportSection section("Cost");
     section.line(std::move(cost));
     if (call.outdated > 0) {
         section.line(fmt::format("{} of another build of tiretherm are not used", plural(call.outdated, "run")));
@@ -150,7 +150,7 @@ std::string lead(const StudyRecord& study) {
 Report study_report(const StudyRecord& study, const StudyCall& call) {
     Report report{.title = study.title, .lead = {lead(study)}};
     Value::List failed;
-    Section failures = failures_section(study, failed);
+    ReportSection failures = failures_section(study, failed);
     report.data = {{"title", study.title},
                    {"case", study.case_name},
                    {"version", study.version},
@@ -161,9 +161,9 @@ Report study_report(const StudyRecord& study, const StudyCall& call) {
                    {"threads", call.threads},
                    {"critical", study.critical ? Value(celsius(*study.critical)) : Value()},
                    {"failed", std::move(failed)}};
-    Section extremes = extremes_section(study, report.data);
+    ReportSection extremes = extremes_section(study, report.data);
     DataTable of_points = study_points(study);
-    Section grid = grid_section(study);
+    ReportSection grid = grid_section(study);
     const bool with_points = (grid.blocks().empty() || study.is_sampled) && study.points() <= most_rows;
     if (study.is_sampled) {
         report.data.set("points", of_points.data());
@@ -172,8 +172,8 @@ Report study_report(const StudyRecord& study, const StudyCall& call) {
     report.add(std::move(grid));
     if (with_points) {
         report.add(
-            Section(study.is_sampled ? "Hottest temperature [degC] of the samples" : "Hottest temperature [degC]",
-                    std::move(of_points)));
+            ReportSection(study.is_sampled ? "Hottest temperature [degC] of the samples" : "Hottest temperature [degC]",
+                          std::move(of_points)));
     }
     report.add(drivers_section(study));
     report.verdict = study_headline(study);

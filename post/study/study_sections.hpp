@@ -20,6 +20,6 @@ constexpr std::size_t most_rows = 24;  ///< of a table on a study's page
 /// The answer of a study: how many samples pass the critical temperature and how they spread, or from where to where a grid goes.
 [[nodiscard]] std::vector<std::string> study_headline(const diagnosis::StudyRecord& study);
 /// The linear regression at each point of the grid, where a page holds them.
-[[nodiscard]] Section drivers_section(const diagnosis::StudyRecord& study);
+[[nodiscard]] ReportSection drivers_section(const diagnosis::StudyRecord& study);
 
 }  // namespace tiretherm::post

@@ -115,8 +115,8 @@ void add_differences(LineChart& chart, const ValidationRecord& record, const std
 
 }  // namespace
 
-Section validation_charts(const ValidationRecord& record) {
-    Section section("Measured and simulated");
+ReportSection validation_charts(const ValidationRecord& record) {
+    ReportSection section("Measured and simulated");
     std::vector<std::string> units;
     for (const ValidationRow& row : record.rows) {
         if (std::ranges::find(units, row.unit) == units.end()) {

@@ -12,7 +12,7 @@ namespace tiretherm::post {
 
 /// A chart for each unit: measured with their uncertainty beside the models with the reach of unknown inputs, the differences
 /// below. @returns a section without text
-[[nodiscard]] Section validation_charts(const diagnosis::ValidationRecord& record);
+[[nodiscard]] ReportSection validation_charts(const diagnosis::ValidationRecord& record);
 
 /// The models against the experiments in sentences, a paragraph each.
 [[nodiscard]] std::vector<std::string> validation_verdict(const diagnosis::ValidationRecord& record);

@@ -262,8 +262,8 @@ DataTable change_table(const ValidationRecord& record) {
     return table;
 }
 
-Section failures(const ValidationRecord& record) {
-    Section section("Runs that failed");
+ReportSection failures(const ValidationRecord& record) {
+    ReportSection section("Runs that failed");
     std::set<std::string> said;
     for (const ValidationRow& row : record.rows) {
         for (const ModelValue& model : row.models) {
@@ -303,14 +303,14 @@ Report validation_report(const ValidationRecord& record, bool with_inputs,
                    {"runs", record.runs},   {"seconds", record.seconds},    {"energy_closure", record.energy_closure}};
     report.add_verdict(validation_verdict(record));
     report.add(validation_charts(record));
-    report.add(Section("Numbers", std::move(of_numbers)));
-    Section of_models("Model against experiment", figure_table(record));
+    report.add(ReportSection("Numbers", std::move(of_numbers)));
+    ReportSection of_models("Model against experiment", figure_table(record));
     of_models.gap();
     of_models.say(legend);
     report.add(std::move(of_models));
     if (DataTable inputs = input_table(record); with_inputs && !inputs.empty()) {
-        report.add(Section("Inputs of the experiments", std::move(inputs)));
-        Section effect("Change at the ends of the ranges of inputs");
+        report.add(ReportSection("Inputs of the experiments", std::move(inputs)));
+        ReportSection effect("Change at the ends of the ranges of inputs");
         for (const ValidationRow& row : record.rows) {
             for (std::size_t m = 0; m < record.models.size(); ++m) {
                 if (const std::string words = changes(row, m); !words.empty()) {
@@ -322,7 +322,7 @@ Report validation_report(const ValidationRecord& record, bool with_inputs,
     }
     report.add("Warnings", "warnings", record.warnings);
     report.add(failures(record));
-    Section cost("");
+    ReportSection cost("");
     cost.line(fmt::format("{} runs in {:.1f} s; energy closes to {:.1e} at worst", record.runs, record.seconds,
                           record.energy_closure));
     report.add(std::move(cost));

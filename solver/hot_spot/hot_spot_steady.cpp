@@ -28,7 +28,7 @@ std::vector<std::vector<SpotAndSurface>> steady_spots(const Problem& problem, st
         for (const Critical& critical : criticals) {
             histories.emplace_back(steady.mesh, critical);
         }
-        const Report report = run(steady, [&](const Snapshot& snapshot) {
+        const MarchReport report = run(steady, [&](const Snapshot& snapshot) {
             for (HotSpotHistory& history : histories) {
                 history.take(snapshot);
             }

@@ -46,7 +46,7 @@ AdjointRecord::AdjointRecord(const Problem& problem, std::span<const double> tim
         }
         stepper_.accept();
         inputs.clear();
-        for (const Stage& stage : stepper_.stages()) {
+        for (const StepMoment& stage : stepper_.stages()) {
             inputs.push_back(
                 problem_.input_signals.at(stage.time, inputs.empty() ? JumpSide::after : JumpSide::before));
         }
@@ -68,7 +68,7 @@ AdjointRecord::AdjointRecord(const Problem& problem, std::span<const double> tim
                 OutputSample sample{.step = step, .channel = c, .place = next * channels + c, .form = {}};
                 // The inputs matter to sensor models before a lag alone, which look at the air.
                 std::vector<physics::Inputs> then;
-                for (const Stage& stage : steps_[step].stages) {
+                for (const StepMoment& stage : steps_[step].stages) {
                     then.push_back(
                         problem_.input_signals.at(stage.time, then.empty() ? JumpSide::after : JumpSide::before));
                 }
@@ -94,7 +94,7 @@ void AdjointRecord::add_step(const Stepper& stepper, std::span<const physics::In
     Step step;
     step.dt = stepper.width();
     for (std::size_t i = 0; i < stepper.stages().size(); ++i) {
-        const Stage& stage = stepper.stages()[i];
+        const StepMoment& stage = stepper.stages()[i];
         const std::span<const double> coefficients = stepper.coefficients(static_cast<int>(i));
         step.T.emplace_back(stage.temperature.begin(), stage.temperature.end());
         step.coefficients.emplace_back(coefficients.begin(), coefficients.end());

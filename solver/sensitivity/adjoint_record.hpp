@@ -49,7 +49,7 @@ private:
     struct Step {
         std::vector<std::vector<double>> T;             ///< [stages][n_nodes] K
         std::vector<std::vector<double>> coefficients;  ///< [stages]
-        std::vector<Stage> stages;                      ///< times, and spans on T
+        std::vector<StepMoment> stages;                 ///< times, and spans on T
         std::vector<SensorOutputs::Form> carry;         ///< [n_channels] what a lagging sensor gives at the end
         double dt = 0.0;
     };

@@ -221,10 +221,10 @@ void ParameterPerturbation::begin_sensor_outputs(double t, std::span<const doubl
     }
 }
 
-void ParameterPerturbation::take_step(std::span<const Stage> stages, std::span<const std::span<const double>> S,
+void ParameterPerturbation::take_step(std::span<const StepMoment> stages, std::span<const std::span<const double>> S,
                                       std::span<const std::span<const double>> coefficients,
                                       std::span<const physics::Inputs> inputs) {
-    std::vector<Stage> seen(stages.begin(), stages.end());
+    std::vector<StepMoment> seen(stages.begin(), stages.end());
     std::vector<physics::Inputs> its(inputs.begin(), inputs.end());
     for (Side* side : {plus_.get(), minus_.get()}) {
         for (std::size_t i = 0; i < stages.size(); ++i) {

@@ -53,7 +53,7 @@ public:
                               std::span<const double> watts, const physics::Inputs& inputs);
     /// @param stages of the base run  @param S its sensitivities at the stages, each [n_nodes] K per unit
     /// @param coefficients of the base run at the stages
-    void take_step(std::span<const Stage> stages, std::span<const std::span<const double>> S,
+    void take_step(std::span<const StepMoment> stages, std::span<const std::span<const double>> S,
                    std::span<const std::span<const double>> coefficients, std::span<const physics::Inputs> inputs);
     /// d(channels)/dp at a moment of the last step. @param out [n_channels]
     void read(double t, const physics::Inputs& logged, std::span<double> out);

@@ -123,7 +123,7 @@ private:
         }
         stepper_.accept();
         inputs_.clear();
-        for (const Stage& stage : stepper_.stages()) {
+        for (const StepMoment& stage : stepper_.stages()) {
             inputs_.push_back(
                 problem_.input_signals.at(stage.time, inputs_.empty() ? JumpSide::after : JumpSide::before));
         }

@@ -36,6 +36,6 @@ private:
 };
 
 /// A run whose steps are kept.
-[[nodiscard]] Report run(const Problem& problem, const Observer& observer, KeptForcing& kept);
+[[nodiscard]] MarchReport run(const Problem& problem, const Observer& observer, KeptForcing& kept);
 
 }  // namespace tiretherm::solver

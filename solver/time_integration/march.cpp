@@ -53,7 +53,7 @@ public:
         report_.coldest.temperature = std::numeric_limits<double>::infinity();
     }
 
-    Report go() {
+    MarchReport go() {
         const Settings& settings = problem_.settings;
         stepper_.find_watts(problem_.input_signals.at(settings.start, JumpSide::after));
         if (settings.steady) {
@@ -91,7 +91,7 @@ private:
         archive(now_);
         archive(report_.steps);
         archive(report_.rejected);
-        for (Report::Extreme* extreme : {&report_.hottest, &report_.coldest}) {
+        for (MarchReport::Extreme* extreme : {&report_.hottest, &report_.coldest}) {
             archive(*extreme);
         }
         for (std::vector<double>* values :
@@ -278,7 +278,7 @@ private:
     const Continuation& continuation_;
     Stepper stepper_;
     OutputSampler sampler_;
-    Report report_;
+    MarchReport report_;
     Checkpoint checkpoint_;
     struct State {
         double wanted = 0.0;  ///< s, size of the next step
@@ -290,11 +290,11 @@ private:
 
 }  // namespace
 
-Report run(const Problem& problem, const Observer& observer, const Continuation& continuation) {
+MarchReport run(const Problem& problem, const Observer& observer, const Continuation& continuation) {
     return Run(problem, observer, continuation, nullptr).go();
 }
 
-Report run(const Problem& problem, const Observer& observer, KeptForcing& kept) {
+MarchReport run(const Problem& problem, const Observer& observer, KeptForcing& kept) {
     return Run(problem, observer, {}, &kept).go();
 }
 

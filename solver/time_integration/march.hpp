@@ -26,7 +26,7 @@ struct Snapshot {
 };
 
 /// What a run reports besides the snapshots.
-struct Report {
+struct MarchReport {
     Status status;
     double simulated = 0.0;  ///< s
     long steps = 0;
@@ -66,6 +66,6 @@ using Observer = std::function<bool(const Snapshot&)>;
 /// Runs a problem from its start to its end, or to its steady state.
 /// @param continuation checkpoints; a steady state has none. A resumed run does not report rows again that were
 ///        reported before its checkpoint.
-[[nodiscard]] Report run(const Problem& problem, const Observer& observer, const Continuation& continuation = {});
+[[nodiscard]] MarchReport run(const Problem& problem, const Observer& observer, const Continuation& continuation = {});
 
 }  // namespace tiretherm::solver

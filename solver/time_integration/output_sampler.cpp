@@ -49,13 +49,13 @@ void OutputSampler::read(double t) {
 
 void OutputSampler::take_step() {
     inputs_.clear();
-    for (const Stage& stage : stepper_->stages()) {
+    for (const StepMoment& stage : stepper_->stages()) {
         inputs_.push_back(problem_->input_signals.at(stage.time, inputs_.empty() ? JumpSide::after : JumpSide::before));
     }
     sensor_outputs_.take_step(stepper_->stages(), inputs_);
 }
 
-void OutputSampler::watch(Report& report) {
+void OutputSampler::watch(MarchReport& report) {
     const std::span<const double> T = stepper_->temperature();
     const HotSpotFinder::Found hottest = hot_spot_finder_.find(T);
     if (hottest.temperature > report.hottest.temperature + creeping_rise) {

@@ -27,7 +27,7 @@ public:
     /// Every row up to the present time of the stepper, and the end of the run itself. @returns as `show`
     [[nodiscard]] bool advance();
     /// Looks at the state for the extremes; writes them into the report.
-    void watch(Report& report);
+    void watch(MarchReport& report);
 
     /// Range warnings: of the effects about the temperatures that their patches saw, of the materials about their layers'.
     [[nodiscard]] std::vector<RangeWarning> range_warnings() const;

@@ -14,7 +14,7 @@ struct RunEnd {
     std::string failure;        ///< why it has no result; empty when it has
     bool stopped = false;       ///< because the user asked for an end; `failure` says so
     bool is_numerical = false;  ///< the failure is the solver's, and would come again
-    solver::Report report;
+    solver::MarchReport report;
 };
 
 /// Runs a problem to its end, until the solver fails or until the user asks for an end. Never throws: what one run cannot

@@ -125,7 +125,7 @@ void SensorOutputs::begin(double t, std::span<const double> T, std::span<const d
     }
 }
 
-void SensorOutputs::take_step(std::span<const Stage> stages, std::span<const physics::Inputs> inputs) {
+void SensorOutputs::take_step(std::span<const StepMoment> stages, std::span<const physics::Inputs> inputs) {
     const std::size_t n = stages.size();
     std::array<double, 3> u{};
     std::array<double, 3> v{};
@@ -135,7 +135,7 @@ void SensorOutputs::take_step(std::span<const Stage> stages, std::span<const phy
         Chain& chain = chains_[c];
         const double lagged = followed(chain, chain.past.back(), begin);
         for (std::size_t i = 0; i < n; ++i) {
-            const Stage& stage = stages[i];
+            const StepMoment& stage = stages[i];
             u[i] = stage.time - begin;
             v[i] = followed_quantity(c, stage.temperature, stage.watts);
             for (const AppliedModel& model : chain.before) {
@@ -203,7 +203,7 @@ double SensorOutputs::slope(std::size_t channel, double t, const physics::Inputs
            (2.0 * difference);
 }
 
-SensorOutputs::Form SensorOutputs::form(std::size_t channel, std::span<const Stage> stages,
+SensorOutputs::Form SensorOutputs::form(std::size_t channel, std::span<const StepMoment> stages,
                                         std::span<const physics::Inputs> inputs, double t) const {
     const Chain& chain = chains_[channel];
     if (description_of(problem_->channels[channel].quantity).follow != nullptr || chain.where.nodes.empty()) {

@@ -23,7 +23,7 @@ public:
     /// The state at the start, before any step. @param inputs logged
     void begin(double t, std::span<const double> T, std::span<const double> watts, const physics::Inputs& inputs);
     /// After an accepted step. @param stages its begin and its end among them  @param inputs logged ones at its stages
-    void take_step(std::span<const Stage> stages, std::span<const physics::Inputs> inputs);
+    void take_step(std::span<const StepMoment> stages, std::span<const physics::Inputs> inputs);
     /// A moment of the last step, or the start. @param t s  @param logged inputs of that moment
     /// @param out [n_channels] SI
     void at(double t, const physics::Inputs& logged, std::span<double> out) const;
@@ -35,8 +35,8 @@ public:
         double lagged = 0.0;
     };
     /// @param stages of the step, in which the moment lies or after which it comes  @param t s, on the sensor's clock
-    [[nodiscard]] Form form(std::size_t channel, std::span<const Stage> stages, std::span<const physics::Inputs> inputs,
-                            double t) const;
+    [[nodiscard]] Form form(std::size_t channel, std::span<const StepMoment> stages,
+                            std::span<const physics::Inputs> inputs, double t) const;
     /// Slope of what a channel shows with what it follows; of a force that follows the surface as well, at a given surface. @param t s, @param logged inputs of that moment
     [[nodiscard]] double slope(std::size_t channel, double t, const physics::Inputs& logged) const;
     [[nodiscard]] double delay(std::size_t channel) const { return chains_[channel].delay; }  ///< s

@@ -15,7 +15,7 @@
 namespace tiretherm::solver {
 
 /// The state at a moment inside a step.
-struct Stage {
+struct StepMoment {
     double time = 0.0;                    ///< s
     std::span<const double> temperature;  ///< [n_nodes] K
     std::span<const double> watts;        ///< [n_effects] W
@@ -75,7 +75,7 @@ public:
     /// step left open of its balance for the next to carry; 0 before the first step.
     [[nodiscard]] double energy_closure() const;
     /// The stages of the last accepted step, its begin and its end among them; one after a steady solve.
-    [[nodiscard]] std::span<const Stage> stages() const { return stages_; }
+    [[nodiscard]] std::span<const StepMoment> stages() const { return stages_; }
     /// Intensities of all effects at a stage of the last attempted step. @returns [n_coefficients]
     [[nodiscard]] std::span<const double> coefficients(int i) const { return forcing_.stage(i); }
     [[nodiscard]] const Tableau& method() const { return *tableau_; }
@@ -126,7 +126,7 @@ private:
     std::vector<std::vector<double>> T_;            ///< [stages + 1][n]: the state, then the stages of the attempt
     std::vector<std::vector<double>> q_;            ///< [stages][n] W
     std::vector<std::vector<double>> stage_watts_;  ///< [stages][n_effects] W
-    std::vector<Stage> stages_;                     ///< of the last accepted step
+    std::vector<StepMoment> stages_;                ///< of the last accepted step
     /// Surfaces without capacity, each with the cell that takes what it leaves: in a step a thousand times as short it would be
     /// a thousand times as many kelvin there.
     std::vector<std::pair<std::size_t, std::size_t>> takers_;

@@ -49,7 +49,7 @@ void run_shortly(solver::Problem problem) {
     problem.settings.end = std::min(asked.end, asked.start + longest_simulated);
     int rows = 0;
     bool finite = true;
-    const solver::Report report = solver::run(problem, [&](const solver::Snapshot& snapshot) {
+    const solver::MarchReport report = solver::run(problem, [&](const solver::Snapshot& snapshot) {
         for (const double kelvin : snapshot.temperature) {
             finite = finite && std::isfinite(kelvin);
         }

@@ -42,7 +42,7 @@ void set(const input::Experiment& from, solver::Problem& problem, const std::str
 std::vector<std::vector<double>> readings(solver::Problem problem, double interval) {
     problem.settings.output_interval = interval;
     std::vector<std::vector<double>> channels(problem.channels.size());
-    const solver::Report report = solver::run(problem, [&](const solver::Snapshot& now) {
+    const solver::MarchReport report = solver::run(problem, [&](const solver::Snapshot& now) {
         for (std::size_t c = 0; c < channels.size(); ++c) {
             channels[c].push_back(now.channels[c] - celsius);
         }

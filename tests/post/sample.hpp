@@ -84,8 +84,8 @@ inline post::History history(const solver::Problem& problem) {
     return history;
 }
 
-inline solver::Report report() {
-    solver::Report report;
+inline solver::MarchReport report() {
+    solver::MarchReport report;
     report.simulated = 60.0;
     report.steps = 1234;
     report.rejected = 5;

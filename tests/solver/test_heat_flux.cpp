@@ -30,8 +30,8 @@ void watch_both_sides(Problem& problem) {
                         {.name = "T_inside", .meaning = "", .where = mesh::over_patch(problem.mesh, 1)}};
 }
 
-Report run_through(const Problem& problem) {
-    Report report = run(problem, [](const Snapshot&) { return true; });
+MarchReport run_through(const Problem& problem) {
+    MarchReport report = run(problem, [](const Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     return report;
 }
@@ -50,7 +50,7 @@ TEST(HeatFlux, OfASteadySlabIsItsConductivityTimesItsGradient) {
             {.name = "heater", .follows = "1", .places = {"inside"}, .signal = {{0.0}, {1.0}}, .amount = 300.0});
         problem.settings.steady = true;
         watch_both_sides(problem);
-        const Report report = run_through(problem);
+        const MarchReport report = run_through(problem);
         const double gradient = (report.channel_final[3] - report.channel_final[2]) / 0.01;
         EXPECT_NEAR(report.channel_final[0], 300.0, 1e-8);
         EXPECT_NEAR(report.channel_final[1], -300.0, 1e-8);
@@ -69,7 +69,7 @@ TEST(HeatFlux, IsTheHeatThatTheSurroundingsTake) {
     watch_both_sides(problem);
     problem.settings.tolerance = 1e-6;
     int steps = 0;
-    const Report report = run(problem, [&](const Snapshot& now) {
+    const MarchReport report = run(problem, [&](const Snapshot& now) {
         EXPECT_NEAR(now.channels[0] + now.channels[1], -now.watts[1], 5.2e-4);
         EXPECT_NEAR(now.channels[0], now.channels[1], 5.2e-4);
         ++steps;
@@ -91,7 +91,7 @@ TEST(HeatFlux, LeavesOutWhatPassesTheSurfaceAlone) {
         problem, {.name = "heater", .follows = "1", .places = {"outside"}, .signal = {{0.0}, {1.0}}, .amount = 1000.0});
     problem.settings.end = 30.0;
     watch_both_sides(problem);
-    const Report report = run_through(problem);
+    const MarchReport report = run_through(problem);
     // Newton's corrections end at 5 % of the step's tolerance: the film's share of that.
     EXPECT_NEAR(report.channel_final[0], 20.0 * (report.channel_final[2] - 300.0) - 1000.0,
                 20.0 * 0.05 * problem.settings.tolerance);

@@ -34,7 +34,7 @@ TEST(SensorOutputs, LagFollowsAParabolaExactlyInLongSteps) {
     problem.channels = {{.name = "mean", .meaning = "", .where = mesh::over_cells(problem.mesh, 0)}};
     const double a = p / (2.0 * 0.01 * 0.01 * 1100.0 * 1800.0);
     int rows = 0;
-    const Report report = run(problem, [&](const Snapshot& now) {
+    const MarchReport report = run(problem, [&](const Snapshot& now) {
         const double t = now.time;
         const double lagged = 300.0 + a * (t * t - 2.0 * tau * t + 2.0 * tau * tau * (1.0 - std::exp(-t / tau)));
         EXPECT_NEAR(now.channels[0], lagged, 1e-8) << "at " << t << " s";

@@ -66,7 +66,7 @@ support::RubbingStrip::Turn brute_force(const Problem& problem, const Rolling& r
     return strip.last_of(rolling.turns, 150);
 }
 
-double to_road(const Problem& problem, const Report& report) {
+double to_road(const Problem& problem, const MarchReport& report) {
     return -report.joules[1] /
            problem.mesh.patches[static_cast<std::size_t>(problem.mesh.find_patch("outside"))].area();
 }

@@ -16,8 +16,8 @@ namespace tiretherm::solver {
 
 namespace {
 
-Report run_closed(const Problem& problem) {
-    Report report = run(problem, [](const Snapshot&) { return true; });
+MarchReport run_closed(const Problem& problem) {
+    MarchReport report = run(problem, [](const Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     EXPECT_LT(report.energy_closure, 1e-10);
     return report;
@@ -62,7 +62,7 @@ TEST(UserEffect, GivesTheIntegralOfItsSignal) {
         Problem problem = two_node_tire();
         problem.settings.fixed_step = fixed_step;
         const std::size_t user_effect = add_user_effect(problem, heat("bulk", walk, 250.0));
-        const Report report = run_closed(problem);
+        const MarchReport report = run_closed(problem);
         EXPECT_NEAR(report.joules[user_effect], 250.0 * integral(walk), 1e-10 * 250.0 * integral(walk));
         EXPECT_LT(report.steps, 400);
     }
@@ -108,8 +108,8 @@ TEST(UserEffect, EqualsTheLaserThatFollowsTheSameLog) {
         .signal = physics::find_signal("laser_power"), .time = power.time, .value = power.value, .logged = true});
     Problem with_own = strip(8);
     add_user_effect(with_own, heat("surface", walk, 500.0));
-    const Report one = run_closed(with_laser);
-    const Report other = run_closed(with_own);
+    const MarchReport one = run_closed(with_laser);
+    const MarchReport other = run_closed(with_own);
     EXPECT_GT(one.channel_final[0], 303.0);
     EXPECT_EQ(one.steps, other.steps);
     EXPECT_NEAR(one.channel_final[0], other.channel_final[0], 1e-9);
@@ -120,7 +120,7 @@ TEST(UserEffect, EqualsTheLaserThatFollowsTheSameLog) {
 TEST(UserEffect, EqualsTheSidewallOfTheSameConductance) {
     Problem sidewall = two_node_tire();
     act(sidewall, "sidewall_convection", {{"conductance", 6.0}});
-    const Report expected = run_closed(sidewall);
+    const MarchReport expected = run_closed(sidewall);
     UserEffect user_effect{.name = "wall",
                            .follows = "0.5",
                            .places = {"bulk"},
@@ -131,7 +131,7 @@ TEST(UserEffect, EqualsTheSidewallOfTheSameConductance) {
         user_effect.surroundings = surroundings;
         Problem problem = two_node_tire();
         const std::size_t e = add_user_effect(problem, user_effect);
-        const Report report = run_closed(problem);
+        const MarchReport report = run_closed(problem);
         // Samples at both ends of the run may end steps elsewhere: the tolerance of a step is 0.01 K.
         EXPECT_NEAR(report.channel_final[0], expected.channel_final[0], 0.01);
         EXPECT_NEAR(report.channel_final[1], expected.channel_final[1], 0.01);
@@ -144,7 +144,7 @@ TEST(UserEffect, JumpsWhereItsSignalJumps) {
     Problem problem = two_node_tire();
     const std::size_t user_effect =
         add_user_effect(problem, heat("bulk", {{0.0, 200.0, 200.0, 600.0}, {0.0, 0.0, 1.0, 1.0}}, 100.0));
-    const Report report = run_closed(problem);
+    const MarchReport report = run_closed(problem);
     EXPECT_NEAR(report.joules[user_effect], 100.0 * (400.0 - 0.5e-3), 1e-7);
 }
 
@@ -166,7 +166,7 @@ TEST(UserEffect, AddsNoInputToACaseWithoutInputs) {
     EXPECT_EQ(problem.input_signals.stops(), (std::vector<double>{10.0, 10.001}));
     EXPECT_EQ(problem.input_signals.samples(), (std::vector<double>{0.0, 10.0, 10.001, 20.0}));
     std::vector<double> times;
-    const Report report = run(problem, [&](const Snapshot& snapshot) {
+    const MarchReport report = run(problem, [&](const Snapshot& snapshot) {
         times.push_back(snapshot.time);
         return true;
     });
@@ -212,7 +212,7 @@ TEST(UserEffect, TwoOfThemAreToldApart) {
     EXPECT_EQ(find_user_effect(problem, "pad_heat"), second);
     EXPECT_EQ(find_user_effect(problem, "own_source"), problem.effects.size());
     EXPECT_EQ(problem.effects[second].title(), "pad_heat");
-    const Report report = run_closed(problem);
+    const MarchReport report = run_closed(problem);
     EXPECT_NEAR(report.joules[first], 100.0 * 600.0, 1e-6);
     EXPECT_NEAR(report.joules[second], 30.0 * 600.0, 1e-6);
 }

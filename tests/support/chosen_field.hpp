@@ -96,7 +96,7 @@ inline void add_terms_of_sides(const physics::EvaluationState& m, physics::Terms
 inline physics::Effect effect(std::string_view id,
                               void (*add_terms)(const physics::EvaluationState&, physics::Terms&)) {
     return {.id = id,
-            .kind = physics::Kind::source,
+            .kind = physics::EffectKind::source,
             .equation = "chosen field",
             .source = "this test",
             .meaning = "what a chosen field needs to be a solution",

@@ -20,7 +20,7 @@ inline constexpr double hottest_kelvin = 573.15;  ///< 300 degC
 
 /// How a run went: its field at the end, and all that it showed.
 struct EndedRun {
-    solver::Report report;
+    solver::MarchReport report;
     std::vector<double> field;
     double coldest = std::numeric_limits<double>::infinity();
     double hottest = -std::numeric_limits<double>::infinity();
@@ -66,7 +66,7 @@ inline double largest_value(const physics::Curve& law) {
 /// every temperature: times its largest heat capacity in each stage, and times its films as long as the run.
 inline void expect_closed(const solver::Problem& problem, const EndedRun& run) {
     solver::System system(problem);
-    const solver::Report& report = run.report;
+    const solver::MarchReport& report = run.report;
     const bool steady = problem.settings.steady;
     const auto sum = [](const std::vector<double>& all) { return std::accumulate(all.begin(), all.end(), 0.0); };
     const double open = std::abs(steady ? sum(report.watts) : report.stored - sum(report.joules));

@@ -100,9 +100,9 @@ inline void read(solver::Problem& problem, std::string_view name, mesh::Function
 inline constexpr double energy_closure = 1e-10;
 
 /// Runs a problem, which must be sound, end well and close its energy balance.
-inline solver::Report run_closed(const solver::Problem& problem, const solver::Observer& observer = nullptr) {
+inline solver::MarchReport run_closed(const solver::Problem& problem, const solver::Observer& observer = nullptr) {
     EXPECT_EQ(solver::defects(problem), std::vector<std::string>{});
-    solver::Report report = solver::run(problem, observer);
+    solver::MarchReport report = solver::run(problem, observer);
     if (!report.status.ok()) {
         throw std::runtime_error(report.status.message);  // fails the test: nothing can be read from this run
     }
@@ -115,7 +115,7 @@ struct History {
     std::vector<double> time;
     std::vector<std::vector<double>> channels;
     std::vector<double> stored;
-    solver::Report report;
+    solver::MarchReport report;
 };
 
 inline History record(const solver::Problem& problem) {
@@ -132,7 +132,7 @@ inline History record(const solver::Problem& problem) {
 /// The whole field at the end of a run. @returns [n_nodes] K
 inline std::vector<double> final_field(const solver::Problem& problem) {
     std::vector<double> field;
-    const solver::Report report = run_closed(problem, [&](const solver::Snapshot& now) {
+    const solver::MarchReport report = run_closed(problem, [&](const solver::Snapshot& now) {
         field.assign(now.temperature.begin(), now.temperature.end());
         return true;
     });

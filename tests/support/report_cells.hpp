@@ -12,7 +12,7 @@
 
 namespace tiretherm::post {
 
-inline const DataTable& table_of(const Section& section) {
+inline const DataTable& table_of(const ReportSection& section) {
     const auto found = std::ranges::find(section.blocks(), PageItem::Kind::table, &PageItem::kind);
     if (found == section.blocks().end()) {
         throw std::out_of_range("no table in " + section.heading());
@@ -20,10 +20,10 @@ inline const DataTable& table_of(const Section& section) {
     return found->table;
 }
 
-inline std::size_t row_count(const Section& section) { return table_of(section).rows().size(); }
+inline std::size_t row_count(const ReportSection& section) { return table_of(section).rows().size(); }
 
 /// A row as the page shows it.
-inline std::vector<std::string> row_texts(const Section& section, std::size_t row) {
+inline std::vector<std::string> row_texts(const ReportSection& section, std::size_t row) {
     std::vector<std::string> texts;
     for (const Field& field : table_of(section).rows().at(row)) {
         if (field.on_page) {
@@ -33,7 +33,7 @@ inline std::vector<std::string> row_texts(const Section& section, std::size_t ro
     return texts;
 }
 
-inline std::string cell_text(const Section& section, std::size_t row, std::string_view heading) {
+inline std::string cell_text(const ReportSection& section, std::size_t row, std::string_view heading) {
     for (const Field& field : table_of(section).rows().at(row)) {
         if (field.on_page && field.heading == heading) {
             return field.cell.text;

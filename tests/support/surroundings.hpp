@@ -23,7 +23,7 @@ inline void add_terms_of_surroundings(const physics::EvaluationState& m, physics
 }
 
 inline const physics::Effect surroundings{.id = "surroundings",
-                                          .kind = physics::Kind::loss,
+                                          .kind = physics::EffectKind::loss,
                                           .on = false,
                                           .equation = "q = h A (T_env - T)",
                                           .source = "the tests",

@@ -35,7 +35,7 @@ public:
         });
         EXPECT_TRUE(report_.status.ok()) << name << ": " << report_.status.message;
     }
-    [[nodiscard]] const solver::Report& report() const { return report_; }
+    [[nodiscard]] const solver::MarchReport& report() const { return report_; }
     [[nodiscard]] const solver::Problem& problem() const { return problem_; }
 
     /// A channel at a time. @param t s
@@ -65,7 +65,7 @@ private:
     }
 
     solver::Problem problem_;
-    solver::Report report_;
+    solver::MarchReport report_;
     input::Trace trace_;
 };
 

@@ -39,7 +39,7 @@ Histories run(const std::filesystem::path& path) {
     for (const solver::Critical& critical : asked->critical) {
         histories.all.emplace_back(reading.problem->mesh, critical);
     }
-    const solver::Report report = solver::run(*reading.problem, [&](const solver::Snapshot& now) {
+    const solver::MarchReport report = solver::run(*reading.problem, [&](const solver::Snapshot& now) {
         for (solver::HotSpotHistory& history : histories.all) {
             history.take(now);
         }
@@ -183,7 +183,7 @@ road_temperature = "42.088251 degC"
 )",
                                                                               file("fmvss_139_high_speed").string())));
     ASSERT_TRUE(reading.problem.has_value());
-    const solver::Report report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     EXPECT_LT(report.rejected, report.steps);
     EXPECT_LT(report.energy_closure, 1e-12);
@@ -222,7 +222,7 @@ end = "30 min"
                           solver::schedule_steps(problem.input_signals, problem.settings.start, problem.settings.end));
     ASSERT_TRUE(further.problem.has_value()) << further.refusal;
     solver::HotSpotHistory history(further.problem->mesh, asked.critical[0]);
-    const solver::Report report = solver::run(*further.problem, [&](const solver::Snapshot& now) {
+    const solver::MarchReport report = solver::run(*further.problem, [&](const solver::Snapshot& now) {
         history.take(now);
         return now.time < 4000.0;
     });

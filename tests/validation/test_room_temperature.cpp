@@ -39,7 +39,7 @@ Rolled roll(const std::string& text, double room) {
         return {};
     }
     const solver::Problem& problem = *reading.problem;
-    const solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     const auto loss =
         std::ranges::find_if(problem.effects, [](const auto& one) { return one.effect->id == "strain_energy_loss"; });

@@ -82,7 +82,7 @@ TEST(CompositeSlab, CoolsAtSecondOrderEverywhere) {
         solver::Problem problem = slab(refinement, 2.0);
         support::start_at(problem, hot);
         std::vector<double> T;
-        const solver::Report report = support::run_closed(problem, [&](const solver::Snapshot& now) {
+        const solver::MarchReport report = support::run_closed(problem, [&](const solver::Snapshot& now) {
             T.assign(now.temperature.begin(), now.temperature.end());
             return true;
         });
@@ -118,7 +118,7 @@ TEST(CompositeSlab, HeatsUnderAFluxAtSecondOrder) {
         // A strip has no disc: its one outer face takes all the power.
         support::switch_on(problem, "laser", {}, {"outside"});
         support::hold(problem, "laser_power", 5000.0 * area);
-        const solver::Report report = support::run_closed(problem);
+        const solver::MarchReport report = support::run_closed(problem);
         errors[0].push_back(report.channel_final[0] - air -
                             5000.0 * (exact.steady_heating().top - exact.heating_deficit(modes, 0.0, 240.0)));
         errors[1].push_back(report.channel_final[1] - air -

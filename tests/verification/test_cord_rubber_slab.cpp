@@ -62,7 +62,7 @@ Passed pass(const Brick& brick, const physics::Curve& rubber, int cells) {
     for (const char* face : brick.faces) {
         support::read(problem, face, mesh::over_patch(problem.mesh, problem.mesh.find_patch(face)));
     }
-    const solver::Report report = support::run_closed(problem);
+    const solver::MarchReport report = support::run_closed(problem);
     return {report.watts[2], report.channel_final[0], report.channel_final[1]};
 }
 
@@ -134,7 +134,7 @@ TEST(CordRubberRing, AWaveAroundTheTireDecaysWithTheConductivityAlongTheBelt) {
     problem.settings.end = 3600.0;
     problem.settings.tolerance = 1e-7;
     support::read(problem, "first", {.nodes = {0}, .weights = {1.0}});
-    const solver::Report report = support::run_closed(problem);
+    const solver::MarchReport report = support::run_closed(problem);
     const double c2 = std::cos(angle) * std::cos(angle);
     const double k = 12.6875 * c2 + 0.25 * 62.6875 / 37.8125 * (1.0 - c2);
     const double R = problem.mesh.columns[0].radius;

@@ -113,8 +113,8 @@ TEST(HalfSpace, WholeBlockEqualsItsQuarter) {
     };
     support::read(quarter, "cell", cell(quarter));
     support::read(full, "cell", cell(full));
-    const solver::Report a = support::run_closed(quarter);
-    const solver::Report b = support::run_closed(full);
+    const solver::MarchReport a = support::run_closed(quarter);
+    const solver::MarchReport b = support::run_closed(full);
     EXPECT_NEAR(a.channel_final[1], b.channel_final[1], 1e-6);
     EXPECT_NEAR(4.0 * a.stored, b.stored, 1e-9 * b.stored);
 }

@@ -60,7 +60,7 @@ TEST(HollowCylinder, CarriesTheLogarithmOfACompositeTubeExactly) {
                                                 {.name = "inner", .thickness = 0.01, .cells = cells}}};
         solver::Problem problem = tube(cylinder, {0.29, 0.06}, 20.0, 200.0);
         problem.settings.steady = true;
-        const solver::Report report = support::run_closed(problem);
+        const solver::MarchReport report = support::run_closed(problem);
         const double per_length = 200.0 / (2.0 * pi * 0.2);
         const double outside = 300.0 + per_length / (20.0 * 0.08);
         const double inside = outside + per_length * (std::log(80.0 / 60.0) / 0.29 + std::log(60.0 / 50.0) / 0.06);
@@ -97,7 +97,7 @@ TEST(HollowCylinder, DecaysWithItsSlowestModeAtSecondOrder) {
         }
         problem.settings.end = 2000.0;
         problem.settings.tolerance = 1e-6;
-        const solver::Report report = support::run_closed(problem);
+        const solver::MarchReport report = support::run_closed(problem);
         const double left = scale * std::exp(-k / (1100.0 * 1800.0) * x * x * problem.settings.end);
         const double at_outside = report.channel_final[0] - 300.0 - left * mode(x, outer, inner);
         const double at_inside = report.channel_final[1] - 300.0 - left * mode(x, inner, inner);
@@ -119,8 +119,8 @@ TEST(HollowCylinder, OfLargeRadiusIsAStrip) {
     solver::Problem flat = round;
     flat.mesh = mesh::build(mesh::Layers{.area = 1.0, .stack = cylinder.stack});
     ASSERT_EQ(round.mesh.n_nodes, flat.mesh.n_nodes);
-    const solver::Report about_axis = support::run_closed(round);
-    const solver::Report of_strip = support::run_closed(flat);
+    const solver::MarchReport about_axis = support::run_closed(round);
+    const solver::MarchReport of_strip = support::run_closed(flat);
     for (const std::size_t side : {0U, 1U}) {
         const double rise = of_strip.channel_final[side] - 300.0;
         EXPECT_NEAR(about_axis.channel_final[side] - 300.0, rise, 3e-4 * rise);

@@ -35,7 +35,7 @@ TEST(LoggedSeries, LaserEnergyIsTheIntegralOfItsSamples) {
             if (fixed > 0.0) {
                 problem.settings.fixed_step = fixed;
             }
-            const solver::Report report = support::run_closed(problem);
+            const solver::MarchReport report = support::run_closed(problem);
             support::expect_below(fixed > 0.0 ? "fixed" : "controlled",
                                   report.joules[support::strip::laser] / power.integral() - 1.0, 1e-9);
             EXPECT_LT(report.steps, 300) << "steps do not span the samples, the test says nothing";
@@ -62,7 +62,7 @@ TEST(LoggedSeries, ProductOfTwoLoggedInputsIsIntegratedExactly) {
     support::start_at(problem, 296.15);
     problem.settings.end = 300.0;
     problem.settings.fixed_step = 25.0;
-    const solver::Report report = support::run_closed(problem);
+    const solver::MarchReport report = support::run_closed(problem);
     double integral = 0.0;
     for (std::size_t i = 0; i + 1 < force.time.size(); ++i) {
         const double middle = 0.25 * (force.value[i] + force.value[i + 1]) * (speed.value[i] + speed.value[i + 1]);

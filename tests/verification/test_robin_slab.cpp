@@ -50,7 +50,7 @@ std::array<double, 4> errors_of_slab(const solver::Problem& problem) {
     const support::LayeredSlab exact = exact_slab();
     const double t = problem.settings.end;
     const auto modes = exact.modes(t);
-    const solver::Report report = support::run_closed(problem);
+    const solver::MarchReport report = support::run_closed(problem);
     std::array<double, 4> result{};
     const std::array<double, 3> depth{0.0, 0.5 * thickness, thickness};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -25,7 +25,7 @@ TEST(RobinSlab, SurfaceSettlesAt333K) {
         problem.settings.steady = true;
         support::read(problem, "outside", mesh::over_patch(problem.mesh, 0));
         support::read(problem, "inside", mesh::over_patch(problem.mesh, 1));
-        const solver::Report report = support::run_closed(problem);
+        const solver::MarchReport report = support::run_closed(problem);
         EXPECT_NEAR(report.channel_final[0], 333.15, 1e-9);
         EXPECT_NEAR(report.channel_final[1], 353.15, 1e-9);
         EXPECT_NEAR(report.watts[1], -slab_area * 80.0 / 0.16, 1e-7);  // 250 W

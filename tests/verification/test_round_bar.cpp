@@ -51,7 +51,7 @@ TEST(RoundBar, CoolsAtSecondOrderOnTheAxisHalfwayAndAtTheSide) {
         for (const double r : place) {
             support::read(problem, "at_radius", mesh::at_point(problem.mesh, {r, 0.5, 0.005}));
         }
-        const solver::Report report = support::run_closed(problem);
+        const solver::MarchReport report = support::run_closed(problem);
         for (std::size_t i = 0; i < place.size(); ++i) {
             errors[i].push_back(report.channel_final[i] - air_at_bar -
                                 (hot_bar - air_at_bar) * exact.excess(place[i], end));

@@ -57,7 +57,7 @@ TEST(Schedule, PulsesDeliverTheirEnergy) {
         solver::Problem problem = support::laser_strip();
         support::schedule(problem, "laser_power", time, power);
         problem.settings.tolerance = tolerance;
-        const solver::Report report = support::run_closed(problem);
+        const solver::MarchReport report = support::run_closed(problem);
         support::expect_below("relative_error", report.joules[support::strip::laser] / 140.0 - 1.0, 1e-12);
     }
 }

@@ -143,7 +143,7 @@ TEST(Section, ProbesConvergeAtSecondOrder) {
         solver::Problem problem = section(12 * n, 8 * n);
         problem.settings.end = 300.0;
         problem.settings.tolerance = 1e-5;
-        const solver::Report report = support::run_closed(problem);
+        const solver::MarchReport report = support::run_closed(problem);
         const std::array<double, 4> truth{wanted.centre, wanted.top, wanted.bottom, wanted.corner};
         for (std::size_t c = 0; c < 4; ++c) {
             errors[c].push_back(report.channel_final[c] - 273.15 - truth[c]);

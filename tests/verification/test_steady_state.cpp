@@ -98,7 +98,7 @@ TEST(SteadyState, VaryingConductivityIsKirchhoffsIntegralOnAnyGrid) {
         problem.settings.tolerance = 1e-7;
         support::read(problem, "outside", mesh::over_patch(problem.mesh, 0));
         support::read(problem, "inside", mesh::over_patch(problem.mesh, 1));
-        const solver::Report report = support::run_closed(problem);
+        const solver::MarchReport report = support::run_closed(problem);
         EXPECT_NEAR(report.channel_final[0], 293.15 + outer, 1e-8);
         EXPECT_NEAR(report.channel_final[1], 293.15 + low, 1e-8);
     }

@@ -309,7 +309,7 @@ TEST(TireSection, WeightsGoWhereTheyAreSaidTo) {
 // that of length times mean radius times thickness.
 TEST(TireSection, SharesTheLossByMass) {
     solver::Problem problem = support::tire_problem(2);
-    const solver::Report report = support::run_closed(problem);
+    const solver::MarchReport report = support::run_closed(problem);
     const double power = physics::strain_power(problem.tire, 100.0 / 3.6, 4000.0);
     const physics::LossTangent law;
     const double T_bulk = problem.mesh.regions[1].mean(support::final_field(problem));

@@ -98,7 +98,7 @@ TEST(TwoBlocks, SteadyResistanceIsTheBlocksAndTheLinkInSeries) {
     // h^2/(8 d k), 4e-5 of it; a link without the half cells beside it would miss 4e-3.
     solver::Problem problem = blocks(2.0, 32);
     problem.settings.steady = true;
-    const solver::Report report = support::run_closed(problem);
+    const solver::MarchReport report = support::run_closed(problem);
     const double T_surface = report.channel_final[0];
     const double T_bulk = report.channel_final[1];
     const support::TwoNodeThesis thesis;

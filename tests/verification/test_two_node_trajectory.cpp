@@ -184,7 +184,7 @@ TEST(TwoNodes, SettleAtTheTemperaturesOfTheThesisNotes) {
         support::start_at(problem, 296.15);
         problem.settings.end = 3600.0;
         problem.settings.tolerance = 1e-3;
-        const solver::Report report = support::run_closed(problem);
+        const solver::MarchReport report = support::run_closed(problem);
         EXPECT_NEAR(report.channel_final[0] - 273.15, q.surface, 0.06);
         EXPECT_NEAR(report.channel_final[1] - 273.15, q.bulk, 0.06);
 

@@ -153,7 +153,7 @@ std::string range_warning(const ActiveEffect& active, double /*coldest*/, double
 extern const Effect air_convection;
 const Effect air_convection{
     .id = "air_convection",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .on = true,
     .equation =
         "q = lambda_h max(floor, h_forced + min(8.59e-11 exp(0.0879 T_surf), exponential_limit h_forced)) "

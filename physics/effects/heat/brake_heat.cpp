@@ -45,7 +45,7 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
 extern const Effect brake_heat;
 const Effect brake_heat{
     .id = "brake_heat",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "q = conductance (T_brake - T_rim); without a rim T of the beads, of the inside or of the bulk",
     .source =
         "conduction through bell and hub, this file; that brakes heat rim and tire: rim and brake paths of Meccanica "

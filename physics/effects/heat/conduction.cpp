@@ -205,7 +205,7 @@ constexpr std::array plausible{
 extern const Effect conduction;
 const Effect conduction{
     .id = "conduction",
-    .kind = Kind::property,
+    .kind = EffectKind::property,
     .on = true,
     .equation = "q = -k(T) grad T inside the layers; (T_b - T_s) k(T_b)/dZ S_tot across a link",
     .source = "Fourier; thesis (31)(34)",

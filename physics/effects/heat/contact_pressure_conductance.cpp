@@ -78,7 +78,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect contact_pressure_conductance;
 const Effect contact_pressure_conductance{
     .id = "contact_pressure_conductance",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation = "q = lambda_Hc Hc S_cont ((Fz/reference)^exponent - 1) (T_road - T_surf)",
     .source = "conductance of a contact ~ p^0.95: Cooper, Mikic & Yovanovich, Int. J. Heat Mass Transfer 12, 1969",
     .valid =

@@ -44,7 +44,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect cornering_loss;
 const Effect cornering_loss{
     .id = "cornering_loss",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "q = coefficient Fy^2 V",
     .source = "energy of lateral deformation times the loss tangent, this file; the thesis leaves it out (chapter V)",
     .valid =

@@ -78,7 +78,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect drum_heating;
 const Effect drum_heating{
     .id = "drum_heating",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation =
         "C dT_drum/dt = share q_road + max(still, cooling (|V| / 100 km/h)^(2/3)) (T_air - T_drum); the contact "
         "exchanges with road_temperature + share (T_drum - road_temperature)",

@@ -79,7 +79,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect groove_convection;
 const Effect groove_convection{
     .id = "groove_convection",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation = "q = area_share eta h_forced (S_tot - S_cont) (T_air - T_surf), eta = tanh(mL)/(mL), m^2 = 2 h/(k b)",
     .source = "straight fin: Incropera & DeWitt, Fundamentals of Heat and Mass Transfer, ch. 3; thesis (32), (35)",
     .valid =

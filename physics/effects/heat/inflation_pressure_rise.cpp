@@ -87,7 +87,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect inflation_pressure_rise;
 const Effect inflation_pressure_rise{
     .id = "inflation_pressure_rise",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation =
         "SEL' = SEL (p_hot/p)^-exponent, p_hot = (p + p_atm) T_gas/reference - p_atm; C dT_gas/dt = liner (T_bulk - "
         "T_gas) "

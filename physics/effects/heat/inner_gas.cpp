@@ -136,7 +136,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect inner_gas;
 const Effect inner_gas{
     .id = "inner_gas",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation =
         "C dT_gas/dt = liner (T_liner - T_gas) - rim (T_gas - T_rim); the tire loses liner (T_liner - T_gas); of "
         "buoyancy: "

@@ -92,7 +92,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect laser;
 const Effect laser{
     .id = "laser",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "q = absorptivity P / (pi radius^2) on a disc, or 2 absorptivity P/(pi w^2) exp(-2 r^2/w^2)",
     .source = "thesis III.1.1 (spot of 1 cm2, 0 to 3 W)",
     .valid = "rubber that does not char: below some 200 degC",

@@ -38,18 +38,18 @@ void evaluate_coefficients(const ActiveEffect& /*active*/, const OperatingPoint&
 }
 
 /// A coefficient and its derivative with the temperature difference, which is not 0.
-struct Film {
+struct FilmCoefficient {
     double h;      ///< W/(m2 K)
     double dh_dT;  ///< W/(m2 K2)
 };
 
-Film power_law(double above, double factor, double length, double exponent) {
+FilmCoefficient power_law(double above, double factor, double length, double exponent) {
     const double h = factor * std::pow(std::abs(above) / length, exponent);
     return {h, exponent * h / above};
 }
 
 /// Nu = (0.60 + 0.387 Ra^(1/6) / (1 + (0.559/Pr)^(9/16))^(8/27))^2, Ra = g dT D^3/(T_air nu alpha); air at 300 K.
-Film churchill_chu(double above, double T_air, double diameter) {
+FilmCoefficient churchill_chu(double above, double T_air, double diameter) {
     constexpr double k = 0.0263;         // W/(m K)
     constexpr double nu = 1.589e-5;      // m2/s
     constexpr double alpha = 2.25e-5;    // m2/s
@@ -70,9 +70,9 @@ void add_terms(const EvaluationState& m, Terms& terms) {
             if (above == 0.0) {
                 continue;
             }
-            const Film film = m.active.choices[law] == 0
-                                  ? power_law(above, m.active.on_patch(factor, p), size, m.active.on_patch(exponent, p))
-                                  : churchill_chu(above, T_air, size);
+            const FilmCoefficient film = m.active.choices[law] == 0 ? power_law(above, m.active.on_patch(factor, p),
+                                                                                size, m.active.on_patch(exponent, p))
+                                                                    : churchill_chu(above, T_air, size);
             const double per_h = m.coefficients[0] * m.active.on_patch(scale, p) * face.area;
             terms.exchange(face.node, per_h * film.h, T_air, per_h * film.dh_dT);
         }
@@ -84,7 +84,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect natural_convection;
 const Effect natural_convection{
     .id = "natural_convection",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation =
         "q = scale h A (T_air - T_surf), h = 1.32 (|T_surf - T_air|/D)^0.25 or of Churchill and Chu, at rest only",
     .source =

@@ -47,7 +47,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect radiation;
 const Effect radiation{
     .id = "radiation",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation = "q = eps sigma A (T_air^4 - T_surf^4)",
     .source = "Stefan-Boltzmann law, grey surface in large surroundings at air temperature",
     .valid =

@@ -85,7 +85,7 @@ namespace effects {
 extern const Effect resolved_contact;
 const Effect resolved_contact{
     .id = "resolved_contact",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation =
         "q = scale h_mean(l/V, revolution) S_cont (T_road - T_surf), h_mean of two half-spaces joined by "
         "interface_h, of which the tread's comes back once a revolution; and the road's share of the heat of sliding",

@@ -87,7 +87,7 @@ constexpr std::array compared{ComparedRange{"", 0.0, disk_film::measured_up_to, 
 extern const Effect rim_conduction;
 const Effect rim_conduction{
     .id = "rim_conduction",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation =
         "q = bead (T_rim - T); C dT_rim/dt = bead (T - T_rim) + cooling (T_air - T_rim); of a rotating disk: cooling = "
         "disk_scale h_disk area, h_disk as of sidewall_convection over 0 < r < R0 - H",

@@ -61,7 +61,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect road_contact;
 const Effect road_contact{
     .id = "road_contact",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .on = true,
     .equation = "q = lambda_Hc Hc S_cont(Fz) (T_road - T_surf)",
     .source = "thesis (31)(35)",

@@ -105,7 +105,7 @@ constexpr std::array compared{ComparedRange{"", 0.0, disk_film::measured_up_to, 
 extern const Effect sidewall_convection;
 const Effect sidewall_convection{
     .id = "sidewall_convection",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation =
         "q = (conductance + h A) (T_air - T); of a rotating disk: q = disk_scale h_disk A (T_air - T), h_disk = "
         "max(natural (|T - T_air|/(2 R0))^0.25, mean of k laminar (w/nu)^0.5 inside of w r^2/nu = transition and of "

@@ -259,7 +259,7 @@ namespace effects {
 extern const Effect sliding_friction;
 const Effect sliding_friction{
     .id = "sliding_friction",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .on = true,
     .equation = "q = partition (lambda_x |Fx v_sx| + lambda_y |Fy| |V| tan|alpha|) >= 0, v_sx = V - R_R Omega",
     .source =

@@ -39,7 +39,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect still_air;
 const Effect still_air{
     .id = "still_air",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation = "q = h A (T_air - T_surf)",
     .source = "Newton's law of cooling; thesis III.1.1 (specimen at rest)",
     .valid = "a film that does not depend on temperature; 5 to 15 W/m2K for rest",

@@ -347,7 +347,7 @@ std::string range_warning(const ActiveEffect& active, double coldest, double /*h
 extern const Effect strain_energy_loss;
 const Effect strain_energy_loss{
     .id = "strain_energy_loss",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .on = true,
     .equation =
         "SEL = Fz eps (A_CS/A_VC) H tan delta(T_bulk, f) (2 pi R0/l) f, f = Omega/(2 pi) = V (1 + slip_ratio)/(2 pi "

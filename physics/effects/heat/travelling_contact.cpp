@@ -117,7 +117,7 @@ namespace effects {
 extern const Effect travelling_contact;
 const Effect travelling_contact{
     .id = "travelling_contact",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation =
         "q = scale h(t) S (T_road - T_surf) while in contact, t since entry, h of two half-spaces joined by "
         "interface_h "

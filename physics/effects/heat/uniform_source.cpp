@@ -26,7 +26,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect uniform_source;
 const Effect uniform_source{
     .id = "uniform_source",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "q = power_density V_cell",
     .source = "definition; used by reference problems",
     .valid = "everywhere: a definition",

@@ -38,7 +38,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect user_heat_source;
 const Effect user_heat_source{
     .id = "own_source",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "q = watts s(t), s the signal that it follows",
     .source = "definition: what the user, or a diagnosis, found",
     .valid = "what its user knows of it",

@@ -48,7 +48,7 @@ void add_terms(const EvaluationState& m, Terms& terms) {
 extern const Effect user_heat_transfer;
 const Effect user_heat_transfer{
     .id = "own_exchange",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation = "q = conductance s(t) (T_surroundings(t) - T), s the signal that it follows",
     .source = "definition: what the user, or a diagnosis, found",
     .valid = "what its user knows of it",

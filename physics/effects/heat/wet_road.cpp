@@ -51,7 +51,7 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
 extern const Effect wet_road;
 const Effect wet_road{
     .id = "wet_road",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation = "q = wet rho d W V (heated c_w + evaporated L) (T_road - T_surf), W = S_cont/l",
     .source = "enthalpy balance of the film, this file; latent heat of water at 20 degC",
     .valid =

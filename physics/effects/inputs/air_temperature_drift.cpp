@@ -31,7 +31,7 @@ void transform(const ActiveEffect& active, Inputs& inputs) {
 extern const Effect air_temperature_drift;
 const Effect air_temperature_drift{
     .id = "air_temperature_drift",
-    .kind = Kind::input,
+    .kind = EffectKind::input,
     .equation = "T_air = logged + rate t, t since the run's start",
     .source = "definition; the thesis holds the air at one temperature (hypotheses of chapter V)",
     .valid = "drifts that are straight in time over the run",

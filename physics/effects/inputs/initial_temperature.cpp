@@ -36,7 +36,7 @@ void start(const ActiveEffect& active, const mesh::Mesh& mesh, std::span<double>
 extern const Effect initial_temperature;
 const Effect initial_temperature{
     .id = "initial_temperature",
-    .kind = Kind::state,
+    .kind = EffectKind::state,
     .equation = "T(0) = stated + offset in the layers named",
     .source = "definition",
     .valid = "layers that start even",

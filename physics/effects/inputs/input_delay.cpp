@@ -38,7 +38,7 @@ double delay(const ActiveEffect& active, const Signal& signal) {
 extern const Effect input_delay;
 const Effect input_delay{
     .id = "input_delay",
-    .kind = Kind::input,
+    .kind = EffectKind::input,
     .equation =
         "x(t) = logged(t + delay of x), x one of speed, vertical_load, slip_angle, slip_ratio, lateral_force, "
         "longitudinal_force, camber, laser_power",

@@ -35,7 +35,7 @@ void transform(const ActiveEffect& active, Inputs& inputs) {
 extern const Effect laser_absorptivity;
 const Effect laser_absorptivity{
     .id = "laser_absorptivity",
-    .kind = Kind::input,
+    .kind = EffectKind::input,
     .equation = "P = factor exp(-fall t) logged, t since the run's start",
     .source = "definition; the values for carbon-black rubber are recalled",
     .valid = "0.85 to 0.97 for carbon-black rubber (recalled)",

@@ -27,7 +27,7 @@ void transform(const ActiveEffect& active, Inputs& inputs) { inputs.vertical_loa
 extern const Effect load_input_gain;
 const Effect load_input_gain{
     .id = "load_input_gain",
-    .kind = Kind::input,
+    .kind = EffectKind::input,
     .equation = "Fz = gain logged",
     .source = "definition",
     .valid = "errors in proportion to the load, some per cent",

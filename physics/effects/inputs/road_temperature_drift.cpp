@@ -34,7 +34,7 @@ void transform(const ActiveEffect& active, Inputs& inputs) {
 extern const Effect road_temperature_drift;
 const Effect road_temperature_drift{
     .id = "road_temperature_drift",
-    .kind = Kind::input,
+    .kind = EffectKind::input,
     .equation = "T_road = logged + offset + rate t, t since the run's start",
     .source = "definition; the thesis holds the track at one temperature (hypotheses of chapter V)",
     .valid = "drifts that are straight in time over the run",

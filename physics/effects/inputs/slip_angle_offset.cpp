@@ -31,7 +31,7 @@ void transform(const ActiveEffect& active, Inputs& inputs) { inputs.slip_angle +
 extern const Effect slip_angle_offset;
 const Effect slip_angle_offset{
     .id = "slip_angle_offset",
-    .kind = Kind::input,
+    .kind = EffectKind::input,
     .equation = "slip angle = logged + offset",
     .source = "definition; thesis (31): the friction heat follows |Fy| V tan|alpha|",
     .valid = "errors of the zero that stay the same through a run; the lateral force is as logged",

@@ -39,7 +39,7 @@ constexpr std::array compared{ComparedRange{"slip_angle", 0.0, 25.0 * std::numbe
 extern const Effect slip_input_gain;
 const Effect slip_input_gain{
     .id = "slip_input_gain",
-    .kind = Kind::input,
+    .kind = EffectKind::input,
     .equation = "slip ratio = gain logged, tan(alpha) = gain tan(logged)",
     .source = "definition; thesis (31): the friction heat is proportional to both",
     .valid = "errors in proportion to the slip; slip angles below 25 degrees",

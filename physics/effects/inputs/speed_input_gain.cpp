@@ -27,7 +27,7 @@ void transform(const ActiveEffect& active, Inputs& inputs) { inputs.speed *= act
 extern const Effect speed_input_gain;
 const Effect speed_input_gain{
     .id = "speed_input_gain",
-    .kind = Kind::input,
+    .kind = EffectKind::input,
     .equation = "V = gain logged",
     .source = "definition",
     .valid = "errors in proportion to the speed, some per cent",

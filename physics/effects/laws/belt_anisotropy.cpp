@@ -48,7 +48,7 @@ void modify_properties(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, M
 extern const Effect belt_anisotropy;
 const Effect belt_anisotropy{
     .id = "belt_anisotropy",
-    .kind = Kind::property,
+    .kind = EffectKind::property,
     .equation = "k_meridian' = meridian k_meridian, k_circumference' = circumference k_circumference",
     .source = "rule of mixtures for steel cords in rubber; the numbers are recalled",
     .valid = "layers of cords that lie in one plane; 1.5 to 5 times along steel cords (recalled)",

@@ -35,7 +35,7 @@ void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs&
 extern const Effect camber_asymmetry;
 const Effect camber_asymmetry{
     .id = "camber_asymmetry",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "share of the loss: inside shoulder 1 - c gamma, outside shoulder 1 + c gamma, straight between",
     .source =
         "geometry of a leaning band, this file; thesis IV.1.1: the inside shoulder runs 15 K above the outside one",

@@ -51,7 +51,7 @@ void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs&
 extern const Effect convection_exponent;
 const Effect convection_exponent{
     .id = "convection_exponent",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation = "h_forced = h_forced(pivot) (V/pivot)^exponent; floor and exponential of (33) as they are",
     .source = "thesis (32) has 0.571; Hilpert, Forsch. Ing.-Wes. 4, 1933, has 0.805 above Re = 40 000",
     .valid = "Re of 1e4 to 1e6; exponents of 0.5 to 0.81 are known",

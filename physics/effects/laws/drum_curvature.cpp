@@ -32,7 +32,7 @@ void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& /*i
 extern const Effect drum_curvature;
 const Effect drum_curvature{
     .id = "drum_curvature",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation =
         "SEL' = SEL sqrt((1 + R0 curvature)/(1 + R0 c_law)), curvature = 1/R_drum, c_law = 2/loss_drum_diameter",
     .source = "correction between drums of ISO 28580, taken to a flat road (recalled, not read)",

@@ -31,7 +31,7 @@ void modify_properties(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, M
 extern const Effect laser_spot_size;
 const Effect laser_spot_size{
     .id = "laser_spot_size",
-    .kind = Kind::input,
+    .kind = EffectKind::input,
     .equation = "radius = scale radius of the laser effect",
     .source = "definition; thesis III.1.1 states a spot of 1 cm2",
     .valid = "spots of 0.5 to 2 times the stated radius",

@@ -51,7 +51,7 @@ void modify_properties(const ActiveEffect& active, const mesh::Mesh& mesh, Mater
 extern const Effect layer_conductivity;
 const Effect layer_conductivity{
     .id = "layer_conductivity",
-    .kind = Kind::property,
+    .kind = EffectKind::property,
     .equation = "k'(T) = scale (k(T) + slope k(reference) (T - reference))",
     .source = "definition; thesis (34)",
     .valid = "0.5 to 2 times what is printed of a compound; a slope over some 100 K",

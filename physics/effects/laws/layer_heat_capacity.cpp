@@ -32,7 +32,7 @@ void modify_properties(const ActiveEffect& active, const mesh::Mesh& /*mesh*/, M
 extern const Effect layer_heat_capacity;
 const Effect layer_heat_capacity{
     .id = "layer_heat_capacity",
-    .kind = Kind::property,
+    .kind = EffectKind::property,
     .equation = "c'(T) = scale c(T)",
     .source = "definition; thesis (34)",
     .valid = "0.8 to 1.25 times 1800 J/kgK for filled rubber (recalled)",

@@ -45,7 +45,7 @@ constexpr std::array compared{ComparedRange{"", 0.5, 1.5, "stated", "times its r
 extern const Effect load_exponent_of_loss;
 const Effect load_exponent_of_loss{
     .id = "load_exponent_of_loss",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "SEL' = SEL (Fz/reference)^exponent",
     .source = "definition; thesis VI.1 over-estimates one tire at low load and under-estimates it at high",
     .valid = "0.5 to 1.5 times the reference load; exponents of 0 to 1 beside the law's own",

@@ -37,7 +37,7 @@ void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& inp
 extern const Effect loss_frequency_shift;
 const Effect loss_frequency_shift{
     .id = "loss_frequency_shift",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "T_eq' = T_eq + per_decade log10(f/reference)",
     .source = "definition, beside thesis (48): universal WLF constants are only a first guess for a filled compound",
     .valid = "one or two decades about the frequency of the characterisation; -20 to 20 K a decade",

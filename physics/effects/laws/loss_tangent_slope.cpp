@@ -39,7 +39,7 @@ LossFactor scale_loss(const EvaluationState& m) {
 extern const Effect loss_tangent_slope;
 const Effect loss_tangent_slope{
     .id = "loss_tangent_slope",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "tan delta' = tan delta exp(slope (T_bulk - reference))",
     .source = "definition; with the constants of thesis (49) d ln(tan delta)/dT is about -1.4 %/K",
     .valid = "some 50 K about the reference; -0.02 to 0.02 1/K",

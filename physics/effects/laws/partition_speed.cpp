@@ -42,7 +42,7 @@ void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs&
 extern const Effect partition_speed;
 const Effect partition_speed{
     .id = "partition_speed",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "partition' = partition (1 + slope v_s), v_s = sqrt(v_sx^2 + (V tan alpha)^2)",
     .source =
         "a straight line through the partition of moving heat sources: Jaeger, Proc. R. Soc. N.S.W. 76, 1942; Blok, "

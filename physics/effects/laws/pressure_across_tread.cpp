@@ -82,7 +82,7 @@ void modify_laws(const ActiveEffect& active, const Tire& tire, const Inputs& in,
 extern const Effect pressure_across_tread;
 const Effect pressure_across_tread{
     .id = "pressure_across_tread",
-    .kind = Kind::property,
+    .kind = EffectKind::property,
     .equation =
         "p/mean = 1 + a y + c (1 - 3 y^2)/2 >= 0, y from -1 inside to 1 outside; a = by_camber gamma + "
         "by_lateral_force Fy/Fz, c = by_deflection (1 - deflection/reference), deflection/reference = Fz "

@@ -54,7 +54,7 @@ constexpr std::array compared{ComparedRange{"", 0.0, 40.0, "stated", "km/h above
 extern const Effect standing_wave;
 const Effect standing_wave{
     .id = "standing_wave",
-    .kind = Kind::source,
+    .kind = EffectKind::source,
     .equation = "SEL' = SEL (1 + gain max(0, V - critical_speed)^2)",
     .source = "parabola from the critical speed on; the wave: Turner, Rubber Chem. Technol. 27, 1954 (recalled)",
     .valid = "up to some 40 km/h above the critical speed; the gain is assumed, to be fitted",

@@ -70,7 +70,7 @@ std::string invalid_on_mesh(const ActiveEffect& active, const mesh::Mesh& mesh) 
 extern const Effect tread_wear;
 const Effect tread_wear{
     .id = "tread_wear",
-    .kind = Kind::property,
+    .kind = EffectKind::property,
     .equation = "w = 1 - depth/thickness of the outer layer: mass w, conductance across w, through 1/w",
     .source = "geometry; time constants of conduction shrink as w^2",
     .valid = "wear that is even; up to the depth of the grooves, some 8 mm",

@@ -46,7 +46,7 @@ void modify_laws(const ActiveEffect& active, const Tire& /*tire*/, const Inputs&
 extern const Effect wind;
 const Effect wind{
     .id = "wind",
-    .kind = Kind::loss,
+    .kind = EffectKind::loss,
     .equation = "h_forced = h_forced(V) ((V^2 + speed^2)/V^2)^(n/2), n the exponent of air_convection",
     .source = "definition: the air's speed past the tire; head and tail wind cancel round a lap to first order",
     .valid = "wind across the direction of travel, even over the run; the tire rolls",

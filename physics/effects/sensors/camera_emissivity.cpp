@@ -48,7 +48,7 @@ double read(const ActiveEffect& active, std::size_t position, double value, cons
 extern const Effect camera_emissivity;
 const Effect camera_emissivity{
     .id = "camera_emissivity",
-    .kind = Kind::sensor,
+    .kind = EffectKind::sensor,
     .equation = "reading^4 = e T^4 + (1 - e) T_air^4, kelvin, T_air as logged, or the temperature that is stated",
     .source = "Stefan-Boltzmann law, grey surface, all wavelengths",
     .valid = "emissivity 0.9 to 0.98 for rubber (recalled); cameras of 8 to 14 um that are read as black",

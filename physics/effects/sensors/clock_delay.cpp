@@ -29,7 +29,7 @@ double delay(const ActiveEffect& active, std::size_t position) {
 extern const Effect clock_delay;
 const Effect clock_delay{
     .id = "clock_delay",
-    .kind = Kind::sensor,
+    .kind = EffectKind::sensor,
     .equation = "reading(t) = value(t - delay)",
     .source = "definition",
     .valid = "delays that stay the same through a run",

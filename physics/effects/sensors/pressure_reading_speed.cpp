@@ -35,7 +35,7 @@ constexpr std::array compared{ComparedRange{"speed", 0.0, 300.0 / 3.6, "stated"}
 extern const Effect pressure_reading_speed;
 const Effect pressure_reading_speed{
     .id = "pressure_reading_speed",
-    .kind = Kind::sensor,
+    .kind = EffectKind::sensor,
     .equation = "reading = p/(1 + kappa V^2)",
     .source = "definition: a membrane that the wheel's rotation loads with V^2; the number is assumed",
     .valid = "sensors on the rim, up to 300 km/h; the number is assumed, to be fitted",

@@ -29,7 +29,7 @@ double depth_offset(const ActiveEffect& active, std::size_t position) {
 extern const Effect sensor_depth;
 const Effect sensor_depth{
     .id = "sensor_depth",
-    .kind = Kind::sensor,
+    .kind = EffectKind::sensor,
     .equation = "z = stated + offset",
     .source = "definition",
     .valid = "some mm; where the field is straight over them",

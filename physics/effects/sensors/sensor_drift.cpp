@@ -35,7 +35,7 @@ double read(const ActiveEffect& active, std::size_t position, double value, cons
 extern const Effect sensor_drift;
 const Effect sensor_drift{
     .id = "sensor_drift",
-    .kind = Kind::sensor,
+    .kind = EffectKind::sensor,
     .equation = "reading = value + rate t, t since the run's start",
     .source = "definition",
     .valid = "drifts that are straight in time over the run and begin with it",

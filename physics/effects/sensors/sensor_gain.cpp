@@ -35,7 +35,7 @@ double read(const ActiveEffect& active, std::size_t position, double value, cons
 extern const Effect sensor_gain;
 const Effect sensor_gain{
     .id = "sensor_gain",
-    .kind = Kind::sensor,
+    .kind = EffectKind::sensor,
     .equation = "reading = value + excess (value - reference), reference 25 degC",
     .source = "definition",
     .valid = "errors in proportion, some per cent",

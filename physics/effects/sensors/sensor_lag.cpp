@@ -42,7 +42,7 @@ double lag(const ActiveEffect& active, std::size_t position) {
 extern const Effect sensor_lag;
 const Effect sensor_lag{
     .id = "sensor_lag",
-    .kind = Kind::sensor,
+    .kind = EffectKind::sensor,
     .equation = "tau dT_m/dt = T - T_m, T_m(0) = T(0)",
     .source = "first-order sensor",
     .valid = "one time constant, 0.1 to 60 s",

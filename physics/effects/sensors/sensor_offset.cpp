@@ -38,7 +38,7 @@ double read(const ActiveEffect& active, std::size_t position, double value, cons
 extern const Effect sensor_offset;
 const Effect sensor_offset{
     .id = "sensor_offset",
-    .kind = Kind::sensor,
+    .kind = EffectKind::sensor,
     .equation = "reading = value + kelvin",
     .source = "definition; a Pt100 changes by 0.385 ohm/K (IEC 60751)",
     .valid = "some kelvin, the same through a run",

@@ -66,7 +66,7 @@ std::string log_of(const fs::path& folder) {
     for (const solver::Channel& channel : reading.problem->channels) {
         csv += fmt::format(",{} [degC]", channel.name);
     }
-    const solver::Report report = solver::run(*reading.problem, [&](const solver::Snapshot& row) {
+    const solver::MarchReport report = solver::run(*reading.problem, [&](const solver::Snapshot& row) {
         const physics::Inputs inputs = reading.problem->input_signals.at(row.time, solver::JumpSide::after);
         csv += fmt::format("\n{},{},{},20,25", row.time, 3.6 * inputs.speed, inputs.vertical_load);
         for (const double kelvin : row.channels) {

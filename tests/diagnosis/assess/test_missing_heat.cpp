@@ -24,7 +24,7 @@ Observations made_up(const input::Experiment& bench, const std::string& source, 
     EXPECT_TRUE(predicted.status.ok()) << predicted.status.message;
     std::mt19937_64 engine(seed);
     std::normal_distribution<double> noise;
-    for (const Block& block : read.blocks) {
+    for (const NoiseBlock& block : read.blocks) {
         const double sigma = read.stated[static_cast<std::size_t>(block.channel)];
         for (Eigen::Index row = block.first; row < block.first + block.rows(); ++row) {
             read.measured[row] = predicted.simulated[row] + sigma * noise(engine);

@@ -115,7 +115,7 @@ TEST(Comparison, SingleNumbersInTheirUncertainty) {
     EXPECT_NEAR(number.in_uncertainties(), -4.0, 1e-9);
     EXPECT_TRUE(number.at_end);
     const post::Report report = post::comparison_report(idle.comparison, {});
-    const post::Section& numbers = post::section(report, "Single values");
+    const post::ReportSection& numbers = post::section(report, "Single values");
     EXPECT_EQ(post::cell_text(numbers, 0, "measured"), "25 degC");
     EXPECT_EQ(post::cell_text(numbers, 0, "+-"), "0.5");
     EXPECT_EQ(post::cell_text(numbers, 0, "simulated"), "23.00");

@@ -35,7 +35,7 @@ TEST(CameraExample, IsOneChannelWhosePixelsAreOffWhereTheImageLiesElsewhere) {
     EXPECT_NEAR(one.noise, 0.086, 0.004);
     EXPECT_GT(three.rings[2].rmse, 5.0 * three.rings[6].rmse);
     const post::Report report = post::comparison_report(comparison, {});
-    const post::Section& cameras = post::section(report, "Cameras");
+    const post::ReportSection& cameras = post::section(report, "Cameras");
     EXPECT_EQ(post::cell_text(cameras, 1, "run"), "three_watts");
     EXPECT_EQ(post::cell_text(cameras, 1, "frames"), "40");
     EXPECT_EQ(post::cell_text(cameras, 1, "pixels"), "4 093");

@@ -20,7 +20,7 @@ public:
         EXPECT_TRUE(predicted.status.ok()) << predicted.status.message;
         const Eigen::Index n_rows = observations_.measured.size();
         Eigen::VectorXd all(n_rows + values.size());
-        for (const Block& block : observations_.blocks) {
+        for (const NoiseBlock& block : observations_.blocks) {
             for (Eigen::Index i = 0; i < block.rows(); ++i) {
                 const Eigen::Index row = block.first + i;
                 all[row] = (predicted.simulated[row] - observations_.measured[row]) /

@@ -20,7 +20,7 @@ inline const Noise white{.sigma = 0.5, .correlation_time = 0.0, .white_share = 1
 
 /// Residuals, and what an estimate is asked with.
 struct Data {
-    std::vector<Block> blocks;
+    std::vector<NoiseBlock> blocks;
     Eigen::VectorXd residual;
     Eigen::MatrixXd span;
     Eigen::VectorXd precision;
@@ -48,7 +48,7 @@ struct Data {
     /// Slow columns, as sensitivities are: cosines of up to `columns` half periods over each block.
     void span_cosines(Eigen::Index columns) {
         span.resize(residual.size(), columns);
-        for (const Block& block : blocks) {
+        for (const NoiseBlock& block : blocks) {
             for (Eigen::Index i = 0; i < block.rows(); ++i) {
                 for (Eigen::Index j = 0; j < columns; ++j) {
                     span(block.first + i, j) =

@@ -22,10 +22,10 @@ inline Eigen::MatrixXd normal(Eigen::Index rows, Eigen::Index columns, std::uint
 }
 
 /// V entry by entry: (1 - s) sigma^2 exp(-|t - t'| / tau), and s sigma^2 more on the diagonal.
-inline Eigen::MatrixXd dense_covariance(const std::vector<Block>& blocks, const std::vector<Noise>& noise,
+inline Eigen::MatrixXd dense_covariance(const std::vector<NoiseBlock>& blocks, const std::vector<Noise>& noise,
                                         Eigen::Index rows) {
     Eigen::MatrixXd V = Eigen::MatrixXd::Zero(rows, rows);
-    for (const Block& block : blocks) {
+    for (const NoiseBlock& block : blocks) {
         for (Eigen::Index i = 0; i < block.rows(); ++i) {
             const auto a = static_cast<std::size_t>(i);
             if (block.channel < 0) {

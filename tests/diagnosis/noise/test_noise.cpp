@@ -22,7 +22,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// Two runs of two channels with uneven times, a gap of half an hour and missing samples, and three single numbers.
 struct Stack {
-    std::vector<Block> blocks;
+    std::vector<NoiseBlock> blocks;
     Covariance covariance;
     Eigen::Index rows = 0;
 };
@@ -74,7 +74,7 @@ TEST(Whitening, LogDeterminantIsThatOfTheCovariance) {
 
 TEST(Whitening, HoldsWithoutAnyWhiteNoise) {
     // A purely Markovian channel: V is well conditioned for samples two correlation times apart.
-    const Block block = series_block(0, 0, std::vector<double>{0, 2, 4, 5, 9}, std::vector<double>{1, 1, 1, 1, 1});
+    const NoiseBlock block = series_block(0, 0, std::vector<double>{0, 2, 4, 5, 9}, std::vector<double>{1, 1, 1, 1, 1});
     const Covariance covariance{.channels = {{.sigma = 2.0, .correlation_time = 1.0, .white_share = 0.0}},
                                 .weight = {}};
     const Eigen::MatrixXd V = dense_covariance({block}, covariance.channels, 5);
@@ -87,7 +87,7 @@ TEST(Whitening, HoldsWithoutAnyWhiteNoise) {
 TEST(Whitening, AMissingSampleIsALongerInterval) {
     // Rows of the samples that are there have the covariance of the full log's same rows; a missing sample leaves none.
     const std::vector<double> time{0, 1, 2, 3, 4};
-    const Block block = series_block(0, 0, time, std::vector<double>{1, missing, 2, missing, 3});
+    const NoiseBlock block = series_block(0, 0, time, std::vector<double>{1, missing, 2, missing, 3});
     EXPECT_EQ(block.time, (std::vector<double>{0, 2, 4}));
     EXPECT_EQ(block.sample, (std::vector<std::size_t>{0, 2, 4}));
     EXPECT_EQ(block.rows(), 3);
@@ -96,7 +96,7 @@ TEST(Whitening, AMissingSampleIsALongerInterval) {
 TEST(Whitening, AWeightInflatesTheInnovationOfItsSample) {
     // The second of three samples with weight w: V + D with D only at that sample, D = F2 (1/w - 1) and F2 = l22^2 its
     // innovation's variance; all of it times 0.8214 = 2 Phi(1.345) - 1.
-    const Block block = series_block(0, 0, std::vector<double>{0, 1, 2}, std::vector<double>{1, 1, 1});
+    const NoiseBlock block = series_block(0, 0, std::vector<double>{0, 1, 2}, std::vector<double>{1, 1, 1});
     Covariance covariance{.channels = {{.sigma = 1.5, .correlation_time = 3.0, .white_share = 0.4}}, .weight = {}};
     Eigen::MatrixXd V = dense_covariance({block}, covariance.channels, 3);
     const Eigen::MatrixXd L = V.llt().matrixL();
@@ -127,8 +127,8 @@ TEST(Noise, TheTransposedFilterIsTheTransposedMatrix) {
         time.push_back(2.0 * i + (i % 7 == 0 ? 0.7 : 0.0));
     }
     const std::vector<double> value(time.size(), 0.0);
-    const std::vector<Block> blocks{series_block(0, 0, time, value), series_block(1, 150, time, value),
-                                    numbers_block(300, {0.5, 2.0})};
+    const std::vector<NoiseBlock> blocks{series_block(0, 0, time, value), series_block(1, 150, time, value),
+                                         numbers_block(300, {0.5, 2.0})};
     Covariance covariance;
     covariance.channels = {{.sigma = 0.5, .correlation_time = 9.5, .white_share = 0.3}, {.sigma = 0.3}};
     covariance.weight = Eigen::VectorXd::LinSpaced(302, 0.4, 1.0);

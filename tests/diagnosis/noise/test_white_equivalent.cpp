@@ -10,7 +10,7 @@
 namespace tiretherm::diagnosis {
 namespace {
 
-Block even_block(int n, double interval) {
+NoiseBlock even_block(int n, double interval) {
     std::vector<double> time;
     for (int i = 0; i < n; ++i) {
         time.push_back(interval * i);
@@ -28,7 +28,7 @@ TEST(WhiteEquivalent, HasTheVarianceOfALongMean) {
     for (int lag = 1; lag < n; ++lag) {
         sum += 2.0 * (n - lag) * 0.16 * 0.7 * std::exp(-lag * interval / 10.0);
     }
-    const std::vector<Block> blocks{even_block(n, interval)};
+    const std::vector<NoiseBlock> blocks{even_block(n, interval)};
     const Covariance white = white_equivalent({.channels = {noise}, .weight = {}}, blocks);
     EXPECT_NEAR(std::pow(white.channels[0].sigma, 2) / n, sum / n / n, 3e-3 * sum / n / n);
     EXPECT_EQ(white.channels[0].white_share, 1.0);
@@ -36,7 +36,7 @@ TEST(WhiteEquivalent, HasTheVarianceOfALongMean) {
 }
 
 TEST(WhiteEquivalent, OfWhiteNoiseIsItself) {
-    const std::vector<Block> blocks{even_block(100, 1.0)};
+    const std::vector<NoiseBlock> blocks{even_block(100, 1.0)};
     const Covariance white = white_equivalent({.channels = {{.sigma = 0.4}}, .weight = {}}, blocks);
     EXPECT_DOUBLE_EQ(white.channels[0].sigma, 0.4);
 }
@@ -46,7 +46,7 @@ TEST(WhiteEquivalent, OfWhiteNoiseIsItself) {
 // channel's noise is as many times what is left of it.
 TEST(WhiteNoiseOf, WhatAModelLeavesCountsChannelsAlike) {
     constexpr int n = 6000;
-    std::vector<Block> blocks{even_block(n, 2.0), even_block(n, 2.0)};
+    std::vector<NoiseBlock> blocks{even_block(n, 2.0), even_block(n, 2.0)};
     blocks[1].channel = 1;
     blocks[1].first = n;
     Eigen::VectorXd left(2 * n);

@@ -8,7 +8,7 @@ namespace tiretherm::diagnosis::quoted {
 namespace {
 
 /// A row in an experiment of its own, measured 0 +- 1 K.
-Row row(double value, std::size_t experiment) {
+QuotedResult row(double value, std::size_t experiment) {
     return {.number = experiment,
             .id = "",
             .what = "",

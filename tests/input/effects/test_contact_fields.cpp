@@ -53,14 +53,14 @@ const physics::ActiveEffect& effect(const solver::Problem& problem, std::string_
     return *std::ranges::find_if(problem.effects, [&](const auto& active) { return active.effect->id == id; });
 }
 
-solver::Report run(const solver::Problem& problem) {
-    solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+solver::MarchReport run(const solver::Problem& problem) {
+    solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     EXPECT_LE(report.energy_closure, 1e-10);
     return report;
 }
 
-double channel(const solver::Problem& problem, const solver::Report& report, std::string_view name) {
+double channel(const solver::Problem& problem, const solver::MarchReport& report, std::string_view name) {
     const auto found = std::ranges::find(problem.channels, name, &solver::Channel::name);
     return report.channel_final[static_cast<std::size_t>(found - problem.channels.begin())] - zero;
 }
@@ -125,7 +125,7 @@ TEST(ContactFields, WattsAreTheSlidingPowerOfTheBrush) {
 // untouched by the fields, and the ledger closes.
 TEST(ContactFields, CorneringWarmsTheOutsideShoulderMore) {
     const solver::Problem problem = shipped_problem("cornering");
-    const solver::Report report = run(problem);
+    const solver::MarchReport report = run(problem);
     EXPECT_NEAR(channel(problem, report, "outside_shoulder_bulk_temperature"), 52.4, 0.06);
     EXPECT_NEAR(channel(problem, report, "inside_shoulder_bulk_temperature"), 48.9, 0.06);
     // 3000 N 27.78 m/s tan(4 deg) = 5827 W of sliding, whatever the shape. Of it the tread takes e/(e + 1576): 0.325 at 20 degC,
@@ -141,13 +141,13 @@ TEST(ContactFields, CorneringWarmsTheOutsideShoulderMore) {
 
 TEST(ContactFields, RampGivesTheFilesWatts) {
     solver::Problem problem = shipped_problem("ramp");
-    const solver::Report shipped = run(problem);
+    const solver::MarchReport shipped = run(problem);
     EXPECT_NEAR(channel(problem, shipped, "surface_temperature"), 50.65, 0.06);
     EXPECT_NEAR(channel(problem, shipped, "outside_shoulder_bulk_temperature"), 47.3, 0.06);
     const physics::ActiveEffect& active = effect(problem, "sliding_friction");
     const auto friction = static_cast<std::size_t>(&active - problem.effects.data());
     take_number(problem.effects[friction]);
-    const solver::Report report = run(problem);
+    const solver::MarchReport report = run(problem);
     EXPECT_NEAR(report.watts[friction], 0.6 * active.field->watts.back(), 1e-9);
     // Straight between the frames of 0, 10, ... 60 s, then held to 300 s: the trapezia, to round-off of the run's steps.
     double joules = 240.0 * active.field->watts.back();

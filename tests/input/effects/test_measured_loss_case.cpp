@@ -34,7 +34,7 @@ void expect_said_of_loss(const std::string& text, const std::vector<std::string>
 
 /// Mean power of the loss in a run. W
 double mean_loss(const solver::Problem& problem) {
-    const solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok());
     EXPECT_LE(report.energy_closure, 1e-10);
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {

@@ -63,7 +63,7 @@ std::string text_of(const fs::path& file) {
 }
 
 double joules(const solver::Problem& problem, std::string_view user_effect) {
-    const solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     EXPECT_LT(report.energy_closure, 1e-10);
     return report.joules.at(solver::find_user_effect(problem, user_effect));

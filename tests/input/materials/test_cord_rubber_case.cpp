@@ -62,7 +62,7 @@ cord_heat_capacity = "470 J/kgK"
 const physics::Material& plies_of(const Reading& reading) { return reading.problem->materials.at(1); }
 
 std::vector<double> final_of(const solver::Problem& problem) {
-    const solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     return report.channel_final;
 }

@@ -102,7 +102,7 @@ TEST(CylinderCase, ReferenceIsItsClosedForm) {
 
     const Reading reading = read_case(source_folder() / "cases/reference/cylinder.toml");
     ASSERT_TRUE(reading.problem) << render(reading);
-    const solver::Report report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     const std::vector<double>& found = report.channel_final;
     ASSERT_EQ(found.size(), 5U);

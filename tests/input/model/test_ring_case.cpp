@@ -92,7 +92,7 @@ TEST(RingCase, RunsAndCloses) {
         "[time]\nend = \"0.16 s\"\noutput = \"10 ms\"\n[drive]\nlateral_force = \"1 kN\"\nslip_angle = \"2 deg\"\n" +
         turning);
     ASSERT_TRUE(reading.problem) << render(reading);
-    const solver::Report report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     EXPECT_LT(report.energy_closure, 1e-10);
     double sliding = 0.0;

@@ -34,7 +34,7 @@ std::string included(const std::string& more) {
     return "include = [\"" + (source_folder() / "tests/bad_cases/good/section.toml").string() + "\"]\n" + more;
 }
 
-solver::Report run(const solver::Problem& problem) {
+solver::MarchReport run(const solver::Problem& problem) {
     return solver::run(problem, [](const solver::Snapshot&) { return true; });
 }
 
@@ -143,7 +143,7 @@ name = "reference"
 kind = "reference_lateral_force"
 )"));
     ASSERT_TRUE(problem.handling.magic_formula.has_value());
-    const solver::Report report = run(problem);
+    const solver::MarchReport report = run(problem);
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     const auto final = [&](std::string_view name) { return report.channel_final[channel(problem, name)]; };
     EXPECT_NEAR(final("radius"), 0.3308 - 4.2e-6 * 4000.0, 1e-12);
@@ -187,7 +187,7 @@ kind = "bulk_temperature_factor"
         std::string::npos)
         << reading.warnings[0];
     const solver::Problem& problem = *reading.problem;
-    const solver::Report report = run(problem);
+    const solver::MarchReport report = run(problem);
     const auto final = [&](std::string_view name) { return report.channel_final[channel(problem, name)]; };
     const auto CP = [&](double T) { return physics::cornering_stiffness({}, problem.tire, 4000.0, T).value; };
     const double factor = CP(final("bulk_temperature")) / CP(343.15);
@@ -229,7 +229,7 @@ node = "gas"
 name = "pressure"
 kind = "gas_pressure"
 )"));
-    const solver::Report report = run(problem);
+    const solver::MarchReport report = run(problem);
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     const double gas = report.channel_final[channel(problem, "gas")];
     EXPECT_GT(gas, zero_celsius + 30.0);
@@ -251,8 +251,8 @@ zone = "inside_sidewall"
 )"));
     solver::Problem bare = problem;
     bare.effects.pop_back();
-    const solver::Report a = run(problem);
-    const solver::Report b = run(bare);
+    const solver::MarchReport a = run(problem);
+    const solver::MarchReport b = run(bare);
     EXPECT_NEAR(
         a.channel_final[channel(problem, "bulk_temperature")] - b.channel_final[channel(bare, "bulk_temperature")], 1.0,
         1e-9);

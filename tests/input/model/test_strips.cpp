@@ -123,7 +123,7 @@ channels = ["ir_1"]
 emissivity = 0.9
 )");
     std::vector<double> first;
-    const solver::Report report = solver::run(problem, [&](const solver::Snapshot& snapshot) {
+    const solver::MarchReport report = solver::run(problem, [&](const solver::Snapshot& snapshot) {
         if (first.empty()) {
             first.assign(snapshot.channels.begin(), snapshot.channels.end());
         }

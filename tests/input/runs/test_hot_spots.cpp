@@ -156,7 +156,7 @@ TEST(ContinuedSchedule, PassesWhenTheClosedFormDoes) {
     EXPECT_NEAR(further.duration, 600.0, 1e-9);
     EXPECT_EQ(further.steps, 29);  // 24 + 2 * 29 = 82 m/s, the next is above 83.3 m/s
     solver::HotSpotHistory history(further.problem->mesh, found.critical[0]);
-    const solver::Report report = solver::run(*further.problem, [&](const solver::Snapshot& now) {
+    const solver::MarchReport report = solver::run(*further.problem, [&](const solver::Snapshot& now) {
         history.take(now);
         return now.time < 7200.0;
     });

@@ -23,7 +23,7 @@ std::vector<double> run(std::string_view name, bool steady = false) {
         return {};
     }
     reading.problem->settings.steady = steady;
-    const solver::Report report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     EXPECT_LE(report.energy_closure, 1e-10) << name;
     std::vector<double> celsius = report.channel_final;

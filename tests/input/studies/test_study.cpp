@@ -38,7 +38,7 @@ physics::Inputs drive(const Study& study, std::size_t run) {
 }
 
 double hottest(const Study& study, std::size_t run) {
-    const solver::Report report = solver::run(study.problem(run), [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(study.problem(run), [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     return report.hottest.temperature - 273.15;
 }

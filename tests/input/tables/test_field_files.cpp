@@ -115,7 +115,7 @@ TEST(FieldFile, AgainstTimeIsIntegratedExactly) {
                      "[effects.road_contact]\non = false\n[time]\nend = \"60 s\"\n" + step,
                  "time [s],y [mm],area [mm2],friction_power [W/m2]\n10,0,1000,0\n30,0,1000,1.2e6\n50,0,1000,1.2e6\n");
         ASSERT_TRUE(reading.problem.has_value()) << render(reading);
-        const solver::Report report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
+        const solver::MarchReport report = solver::run(*reading.problem, [](const solver::Snapshot&) { return true; });
         ASSERT_TRUE(report.status.ok());
         EXPECT_LE(report.energy_closure, 1e-10);
         double joules = 0.0;
@@ -136,12 +136,12 @@ TEST(FieldFile, ShapesOfARunKeepTheTotalAndCloseTheEnergy) {
     const Reading sound = read_case(
         written.add("case.toml", cornering(friction + "[effects.strain_energy_loss]\nfield = \"loss.csv\"\n")));
     ASSERT_TRUE(sound.problem.has_value()) << render(sound);
-    const solver::Report report = solver::run(*sound.problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(*sound.problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok());
     EXPECT_LE(report.energy_closure, 1e-10);
     const Reading plain = read("", "");
-    const solver::Report without = solver::run(*plain.problem, [](const solver::Snapshot&) { return true; });
-    const auto friction_of = [](const solver::Problem& problem, const solver::Report& of) {
+    const solver::MarchReport without = solver::run(*plain.problem, [](const solver::Snapshot&) { return true; });
+    const auto friction_of = [](const solver::Problem& problem, const solver::MarchReport& of) {
         const auto found = std::ranges::find_if(
             problem.effects, [](const auto& active) { return active.effect->id == "sliding_friction"; });
         return of.joules[static_cast<std::size_t>(found - problem.effects.begin())];

@@ -19,7 +19,7 @@ int main(int, char** argv) {
     }
     const post::Provenance provenance{.version = "0", .case_file = argv[1], .case_text = ""};
     post::RunFiles files(argv[2], *reading.problem, provenance, {});
-    const solver::Report report = solver::run(*reading.problem, [&](const solver::Snapshot& snapshot) {
+    const solver::MarchReport report = solver::run(*reading.problem, [&](const solver::Snapshot& snapshot) {
         files.take(snapshot);
         return true;
     });

@@ -52,7 +52,7 @@ TEST_P(EveryEffect, SaysWhatItIs) {
             EXPECT_NE(find_signal(name), nullptr) << name;
         }
     }
-    EXPECT_EQ(effect.sensor_model() != nullptr, effect.kind == Kind::sensor);
+    EXPECT_EQ(effect.sensor_model() != nullptr, effect.kind == EffectKind::sensor);
     ASSERT_FALSE(benches().empty()) << "no bench lets this effect act";
 }
 
@@ -224,10 +224,10 @@ TEST_P(EveryEffect, GivesTheDerivativesOfItsHeat) {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryEffect, testing::ValuesIn(catalogue().begin(), catalogue().end()), id_of);
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryPassiveEffect,
-                         testing::ValuesIn(effects_that([](const Effect* e) { return e->kind != Kind::source; })),
+                         testing::ValuesIn(effects_that([](const Effect* e) { return e->kind != EffectKind::source; })),
                          id_of);
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryLoss, testing::ValuesIn(effects_that([](const Effect* e) {
-                             return e->kind == Kind::loss && e->heat_effect() != nullptr;
+                             return e->kind == EffectKind::loss && e->heat_effect() != nullptr;
                          })),
                          id_of);
 

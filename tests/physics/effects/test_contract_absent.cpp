@@ -65,7 +65,7 @@ double largest_difference(const std::vector<double>& one, const std::vector<doub
     return largest;
 }
 
-solver::Report run_for_a_minute(const Bench& bench, const std::vector<Part>& parts) {
+solver::MarchReport run_for_a_minute(const Bench& bench, const std::vector<Part>& parts) {
     solver::Problem problem = Whole::problem_of(bench, parts);
     for (const Signal& signal : signals()) {
         problem.input_signals.add(signal, lively().*signal.member);
@@ -104,8 +104,8 @@ TEST_P(EveryCandidate, LeavesARunAsItIsWhereItIsAbsent) {
     // A minute in fixed steps: the same channels to the tolerance of Newton's iteration, the same joules of the others,
     // the balance closed with all lumped nodes.
     for (const Bench& bench : benches()) {
-        const solver::Report without = run_for_a_minute(bench, thesis(bench));
-        const solver::Report silenced = run_for_a_minute(bench, with(thesis(bench), silent(*GetParam())));
+        const solver::MarchReport without = run_for_a_minute(bench, thesis(bench));
+        const solver::MarchReport silenced = run_for_a_minute(bench, with(thesis(bench), silent(*GetParam())));
         ASSERT_TRUE(without.status.ok() && silenced.status.ok()) << silenced.status.message;
         EXPECT_LT(silenced.energy_closure, 1e-9);
         for (std::size_t c = 0; c < without.channel_final.size(); ++c) {
@@ -119,7 +119,7 @@ TEST_P(EveryCandidate, LeavesARunAsItIsWhereItIsAbsent) {
 
 TEST_P(EveryCandidate, ClosesTheBalanceOfARun) {
     for (const Bench& bench : benches()) {
-        const solver::Report report = run_for_a_minute(bench, with(thesis(bench), part()));
+        const solver::MarchReport report = run_for_a_minute(bench, with(thesis(bench), part()));
         ASSERT_TRUE(report.status.ok()) << report.status.message;
         EXPECT_LT(report.energy_closure, 1e-9);
     }

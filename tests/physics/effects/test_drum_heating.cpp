@@ -177,7 +177,7 @@ TEST(DrumHeating, CoolsDownByItselfAsAnExponential) {
     problem.settings.end = 1000.0;
     problem.settings.tolerance = 1e-4;
     problem.channels = {{.name = "drum", .meaning = "", .where = problem.mesh.regions.back().mean}};
-    const solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
     EXPECT_NEAR(report.channel_final.front(), 296.15 + 27.0 * std::exp(-0.75), 1e-3);
     EXPECT_LT(report.energy_closure, 1e-12);
 }
@@ -192,7 +192,7 @@ TEST(DrumHeating, StandsWhereTheAirTakesWhatTheTireMakes) {
     const int outside = problem.mesh.find_patch("outside");
     problem.channels = {{.name = "drum", .meaning = "", .where = problem.mesh.regions.back().mean},
                         {.name = "surface", .meaning = "", .where = mesh::over_patch(problem.mesh, outside)}};
-    const solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     const double power = 2000.0 * 100.0 / 3.6 * std::tan(2.0 * support::deg);
     const double above_air = power / 150.0;
@@ -215,7 +215,7 @@ TEST(DrumHeating, ClosesTheBalanceOfTireAndDrumWithEveryContact) {
             support::hold(problem, "slip_angle", 1.0 * support::deg);
             support::hold(problem, "lateral_force", 1500.0);
             support::start_at(problem, 296.15);
-            const solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+            const solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
             ASSERT_TRUE(report.status.ok()) << report.status.message;
             EXPECT_LT(report.energy_closure, 1e-12) << contact;
             peak_on_cold_road = heated ? peak_on_cold_road : report.hottest.temperature;

@@ -150,7 +150,7 @@ std::array<double, 2> simulate(const std::vector<Part>& extensions) {
     log("road_temperature", Log::T_road);
     problem.settings.end = duration;
     problem.settings.tolerance = 1e-6;
-    const solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok()) << report.status.message;
     return {report.channel_final[0], report.channel_final[1]};
 }

@@ -49,7 +49,7 @@ solver::Problem heated(const std::vector<Part>& readings) {
 
 double final_reading(const std::vector<Part>& readings) {
     const solver::Problem problem = heated(readings);
-    const solver::Report report = solver::run(problem, [](const solver::Snapshot&) { return true; });
+    const solver::MarchReport report = solver::run(problem, [](const solver::Snapshot&) { return true; });
     EXPECT_TRUE(report.status.ok());
     return report.channel_final.front();
 }
@@ -110,7 +110,7 @@ TEST(SensorDepth, ReadsDeeper) {
         problem.initial[node] = 300.0 + 1000.0 * problem.mesh.centre[node][2];
     }
     double first = 0.0;
-    const solver::Report report = solver::run(problem, [&](const solver::Snapshot& s) {
+    const solver::MarchReport report = solver::run(problem, [&](const solver::Snapshot& s) {
         first = s.channels[0];
         return false;
     });

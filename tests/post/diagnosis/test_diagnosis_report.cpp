@@ -206,7 +206,7 @@ TEST(DiagnosisReport, AStoppedDiagnosisSaysAfterHowLongAndWhatIsBest) {
 TEST(DiagnosisReport, ThePageShowsWhereAndWhatIsLeft) {
     const MadeUp made_up = sample::named();
     const Report report = diagnosis_report(made_up.record(), {});
-    const Section& where = section(report, "Where it shows");
+    const ReportSection& where = section(report, "Where it shows");
     EXPECT_EQ(post::row_texts(where, 0), (std::vector<std::string>{"surface_temperature", "K", "all", "", "-0.50",
                                                                    "0.00", "0.50", "+0.00", "0.00", "0.00"}));
     EXPECT_EQ(post::cell_text(where, 1, "while"), "standing");  // a phase of the bench's programme
@@ -374,7 +374,7 @@ TEST(DiagnosisReport, WindowsOfMissingHeatAreReportedAndWritten) {
     made_up.result.missing_heat.push_back(
         {.run = 2, .place = "surface", .from = 600.0, .to = 630.0, .watts = -85.0, .deviation = 20.0});
     const Report report = diagnosis_report(made_up.record(), {});
-    const Section& inferred = section(report, "Inferred heat source");
+    const ReportSection& inferred = section(report, "Inferred heat source");
     // -85 W and 60 W with 1.96 standard deviations of 20 W to either side
     EXPECT_EQ(post::row_texts(inferred, 0),
               (std::vector<std::string>{"run3", "surface", "600", "630", "-85", "-124", "-46", "-4.2"}));

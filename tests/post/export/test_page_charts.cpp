@@ -16,7 +16,7 @@ namespace {
 /// A page with two charts of one title, and one whose title has letters of HTML.
 std::string page() {
     Report report{.title = "A page"};
-    Section section("Heat");
+    ReportSection section("Heat");
     section.chart("Heat at the end", "", bar_chart("heat", "W", {{"laser", 1.0}}));
     section.chart("Heat at the end", "", bar_chart("heat", "kJ", {{"laser", 2.0}}));
     section.chart("k < 1 & \"so on\"", "", bar_chart("k", "", {{"tread", 0.3}}));

@@ -61,7 +61,7 @@ TEST(HotSpotsReport, DataHaveTheMarginAndTheNotes) {
 
 TEST(HotSpotsReport, TheChartHasTheCourseAndTheCriticalTemperature) {
     const solver::Problem problem = tiretherm::sample::problem();
-    const Section section = hot_spots_section(made_up(problem), problem.mesh);
+    const ReportSection section = hot_spots_section(made_up(problem), problem.mesh);
     const auto chart = std::ranges::find(section.blocks(), PageItem::Kind::chart, &PageItem::kind);
     ASSERT_NE(chart, section.blocks().end());
     const Json panel = Json::parse(compact_json(chart->chart))["panels"][0];

@@ -28,7 +28,7 @@ std::string own_part(const Report& report) {
 Report sample() {
     Report report{.title = "A <b>tire</b> & \"rim\""};
     report.lead = {"hottest 80 degC"};
-    Section section("Heat budget");
+    ReportSection section("Heat budget");
     section.say("one");
     section.item("two");
     section.item("three");
@@ -100,7 +100,7 @@ TEST(HtmlPage, NothingIsFetched) {
 TEST(HtmlPage, TheTextHasNoCharts) {
     Report report = sample();
     const std::string with = page_text(report, false);
-    Section only("Only a chart");
+    ReportSection only("Only a chart");
     only.chart("title", "caption", bar_chart("heat", "W", {}));
     report.add(std::move(only));
     EXPECT_EQ(page_text(report, false), with);
@@ -110,7 +110,7 @@ TEST(HtmlPage, TheTextHasNoCharts) {
 TEST(HtmlPage, TheVerdictStandsBelowTheTitleAndTheFilesAtTheEnd) {
     Report report = sample();
     report.verdict = {"Hottest: 80 degC."};
-    Section last("What to cite");
+    ReportSection last("What to cite");
     last.item("a thesis");
     report.appendix.push_back(std::move(last));
     const std::string page = html_page(report, {.kind = "run", .source = "a.toml", .files = {"a.toml", "log.csv"}});
@@ -140,7 +140,7 @@ TEST(HtmlPage, LongNamesFitANarrowScreen) {
     report.title = "A test (durability/un_r30)";
     DataTable table;
     table.add({page_only("channel", "effects.tan_delta_a"), page_only("speed", "57.5 km/h, 0.3 W/mK")});
-    report.add(Section("Channels", std::move(table)));
+    report.add(ReportSection("Channels", std::move(table)));
     const std::string page = own_part(report);
     EXPECT_EQ(count(page, "<td>effects.<wbr>tan_<wbr>delta_<wbr>a</td>"), 1u) << page;
     EXPECT_EQ(count(page, "<td>57.5 km/h, 0.3 W/mK</td>"), 1u) << page;

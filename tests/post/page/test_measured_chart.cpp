@@ -26,7 +26,7 @@ Json panels(double between) {
         series.measured.push_back(300.0);
         series.models[0].simulated.push_back(301.0);
     }
-    const Section section = measured_section({series});
+    const ReportSection section = measured_section({series});
     const auto chart = std::ranges::find(section.blocks(), PageItem::Kind::chart, &PageItem::kind);
     EXPECT_NE(chart, section.blocks().end());
     return Json::parse(compact_json(chart->chart))["panels"];

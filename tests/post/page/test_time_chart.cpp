@@ -20,7 +20,7 @@ struct Drawn {
 };
 
 Drawn drawn(const TimeChart& chart) {
-    Section section("page");
+    ReportSection section("page");
     add_time_chart(section, "title", "Caption.", chart);
     const PageItem& item = section.blocks().front();
     EXPECT_EQ(item.kind, PageItem::Kind::chart);

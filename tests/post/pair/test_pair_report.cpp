@@ -27,7 +27,7 @@ Json data_of(const StoredResult& a, const StoredResult& b) { return Json::parse(
 
 /// The chart of a page. @pre there is one
 Json chart_of(const Report& report) {
-    for (const Section& section : report.sections) {
+    for (const ReportSection& section : report.sections) {
         const auto chart = std::ranges::find(section.blocks(), PageItem::Kind::chart, &PageItem::kind);
         if (chart != section.blocks().end()) {
             return Json::parse(compact_json(chart->chart));

@@ -13,11 +13,11 @@ namespace tiretherm::post {
 namespace {
 
 namespace remark = diagnosis::remark;
+using diagnosis::Activity;
 using diagnosis::Part;
 using diagnosis::RemarkCode;
 using diagnosis::RemarkKind;
 using diagnosis::Seconds;
-using diagnosis::Stage;
 using diagnosis::Work;
 
 // 20 Hz by means of ten samples are 2 Hz.
@@ -72,9 +72,10 @@ TEST(RemarkText, RemarksAreTheSameWhereAllThatTheyAreAboutIs) {
 }
 
 TEST(StageText, SaysWhichRunIsDiagnosedAlone) {
-    EXPECT_EQ(text_of(Stage{.doing = Work::signatures, .count = 23}), "signatures of 23 candidates");
-    EXPECT_EQ(text_of(Stage{.doing = Work::candidate, .of = "rim_conduction", .number = 3, .count = 14, .run = "run2"}),
-              "run2 alone: candidate");
+    EXPECT_EQ(text_of(Activity{.doing = Work::signatures, .count = 23}), "signatures of 23 candidates");
+    EXPECT_EQ(
+        text_of(Activity{.doing = Work::candidate, .of = "rim_conduction", .number = 3, .count = 14, .run = "run2"}),
+        "run2 alone: candidate");
     EXPECT_EQ(text_of(Part::grid_error), "estimate of the grid's error");
 }
 

@@ -26,7 +26,7 @@ DataTable two_layers() {
 
 TEST(Report, ATableHasNumbersToTheRightAndADashWhereThereIsNone) {
     Report report{.title = "Two layers"};
-    report.add(Section("Layers", two_layers()));
+    report.add(ReportSection("Layers", two_layers()));
     EXPECT_EQ(page_text(report, false),
               "Two layers\n"
               "\n"
@@ -62,21 +62,21 @@ TEST(Report, ARowOfThePageAloneIsNoData) {
 TEST(Report, HeadingsStandWhereThereIsSomethingBelowThem) {
     Report report{.title = "Nothing"};
     report.add("Warnings", "warnings", {});
-    report.add(Section("Table", DataTable()));
+    report.add(ReportSection("TextTable", DataTable()));
     EXPECT_EQ(page_text(report, true), "\033[1mNothing\033[0m\n");
     EXPECT_EQ(json_text(report.data), "{\n  \"warnings\": []\n}\n");
 }
 
 TEST(Report, ASectionWithoutHeadingFollowsTheTitleOrAnEmptyLine) {
     Report report{.title = "A page"};
-    report.add(Section("", {"at once"}));
-    report.add(Section("", {"apart"}));
+    report.add(ReportSection("", {"at once"}));
+    report.add(ReportSection("", {"apart"}));
     EXPECT_EQ(page_text(report, false), "A page\n  at once\n\n  apart\n");
 }
 
 TEST(Report, ATableWithColumnsStandsWithoutRows) {
     Report report{.title = "A page"};
-    report.add(Section("Layers", DataTable({page_only("layer", ""), page_only("cells", count(0))})));
+    report.add(ReportSection("Layers", DataTable({page_only("layer", ""), page_only("cells", count(0))})));
     EXPECT_EQ(page_text(report, false), "A page\n\nLayers\n  layer  cells\n");
 }
 
@@ -86,9 +86,9 @@ TEST(Report, ATableInMarkdownHasTheColumnsOfThePage) {
 }
 
 TEST(Report, PartsAndItemsAreIndented) {
-    Section part("surface");
+    ReportSection part("surface");
     part.item("too hot");
-    Section section("Interpretation", {"In words:"});
+    ReportSection section("Interpretation", {"In words:"});
     section.gap();
     section.add(part);
     Report report{.title = "A page"};
@@ -100,7 +100,7 @@ TEST(Report, PartsAndItemsAreIndented) {
 }
 
 TEST(Report, FurtherLinesOfAnItemBeginBelowItsFirstWord) {
-    Section section("List");
+    ReportSection section("List");
     section.item("one two three");
     Report report{.title = "A page"};
     report.add(section);
@@ -111,7 +111,7 @@ TEST(Report, FurtherLinesOfAnItemBeginBelowItsFirstWord) {
 // names; belt has nothing there.
 TEST(Report, ATableThatIsWiderThanTheTerminalGoesOnInAFurtherBlock) {
     Report report{.title = "Two layers"};
-    report.add(Section("Layers", two_layers()));
+    report.add(ReportSection("Layers", two_layers()));
     EXPECT_EQ(page_text(report, false, {.tables = 22}),
               "Two layers\n\nLayers\n"
               "  layer  hottest degC\n"

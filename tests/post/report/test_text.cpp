@@ -17,8 +17,8 @@ namespace tiretherm::post {
 namespace {
 
 // 2 + 4 + 2 + 2 = 10 columns are taken by indent, name and number; of 30 columns, 2 of them between, 18 are left to text.
-TEST(Table, TextIsWrappedInItsColumnWhereThePageIsTooNarrow) {
-    Table table({true, false, true});
+TEST(TextTable, TextIsWrappedInItsColumnWhereThePageIsTooNarrow) {
+    TextTable table({true, false, true});
     table.add({"name", "22", "measured by a camera in 2014"});
     table.add({"bulk", "3", "short"});
     EXPECT_EQ(table.text(2, 30),
@@ -28,8 +28,8 @@ TEST(Table, TextIsWrappedInItsColumnWhereThePageIsTooNarrow) {
 }
 
 // A name of 20 characters without a blank keeps its column, though half of the page of 30 is less: the rest goes below.
-TEST(Table, ANameThatCannotBeBrokenKeepsItsColumn) {
-    Table table({true, false, false});
+TEST(TextTable, ANameThatCannotBeBrokenKeepsItsColumn) {
+    TextTable table({true, false, false});
     table.add({"abcdefghijklmnopqrst", "22", "333333"});
     table.add({"b", "3", "4"});
     EXPECT_EQ(table.text(2, 30),
@@ -40,8 +40,8 @@ TEST(Table, ANameThatCannotBeBrokenKeepsItsColumn) {
               "  b                          4\n");
 }
 
-TEST(Table, ColumnsAreAsWideAsTheirWidestCellInCharacters) {
-    Table table({true, false, true});
+TEST(TextTable, ColumnsAreAsWideAsTheirWidestCellInCharacters) {
+    TextTable table({true, false, true});
     table.add({"a", "1", "x"});
     table.add({"°C", "22", ""});  // two characters, three bytes
     table.add({"abc", "333", "y"});
@@ -49,8 +49,8 @@ TEST(Table, ColumnsAreAsWideAsTheirWidestCellInCharacters) {
 }
 
 // A title and the name of a file may hold line ends: rows stay rows.
-TEST(Table, RowIsALine) {
-    Table table({true});
+TEST(TextTable, RowIsALine) {
+    TextTable table({true});
     table.add({"a\nb"});
     EXPECT_EQ(table.lines(0), (std::vector<std::string>{"a b"}));
 }
@@ -79,7 +79,7 @@ TEST(WriteWithFolder, LeavesNoFolderWithoutItsFile) {
     EXPECT_EQ(read_text(scratch / "file"), "mine");
 }
 
-TEST(Table, ThousandsStandInGroups) {
+TEST(TextTable, ThousandsStandInGroups) {
     EXPECT_EQ(grouped(0.0), "0");
     EXPECT_EQ(grouped(999.4), "999");
     EXPECT_EQ(grouped(1000.0), "1 000");
@@ -87,7 +87,7 @@ TEST(Table, ThousandsStandInGroups) {
     EXPECT_EQ(grouped(-4321.0), "-4 321");
 }
 
-TEST(Table, LongTextIsBrokenAtBlanks) {
+TEST(TextTable, LongTextIsBrokenAtBlanks) {
     EXPECT_EQ(wrap("one two three", 2, 9), "  one two\n  three\n");
     EXPECT_EQ(wrap("", 2, 9), "");
 }

@@ -21,7 +21,7 @@ struct Drawn {
 /// The first chart that a function adds for the sample; nothing where it adds none.
 template <typename Add>
 Drawn drawn(Add add, const solver::Problem& problem = sample::problem()) {
-    const solver::Report report = sample::report();
+    const solver::MarchReport report = sample::report();
     const History history = sample::history(problem);
     const RunRecord run{.problem = problem,
                         .report = report,
@@ -29,7 +29,7 @@ Drawn drawn(Add add, const solver::Problem& problem = sample::problem()) {
                         .provenance = {.version = "9.9", .case_file = "", .case_text = ""},
                         .warnings = {},
                         .files = {}};
-    Section section("page");
+    ReportSection section("page");
     add(section, run);
     return section.blocks().empty()
                ? Drawn{}
@@ -37,7 +37,7 @@ Drawn drawn(Add add, const solver::Problem& problem = sample::problem()) {
 }
 
 Drawn sensors(const solver::Problem& problem = sample::problem()) {
-    return drawn([](Section& section, const RunRecord& run) { add_channel_charts(section, std::span(&run, 1)); },
+    return drawn([](ReportSection& section, const RunRecord& run) { add_channel_charts(section, std::span(&run, 1)); },
                  problem);
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// The summary of the sample, after changes to the problem and the report.
 struct MadeUpRun {
     solver::Problem problem = sample::problem();
-    solver::Report report = sample::report();
+    solver::MarchReport report = sample::report();
 
     [[nodiscard]] RunRecord record(const History& history) const {
         return {.problem = problem,
@@ -238,7 +238,7 @@ TEST(Summary, LumpHasALayerButNoPosition) {
 
 /// The chart of a report with this title; null where there is none.
 nlohmann::json chart_of(const Report& report, std::string_view title) {
-    for (const Section& section : report.sections) {
+    for (const ReportSection& section : report.sections) {
         for (const PageItem& block : section.blocks()) {
             if (block.kind == PageItem::Kind::chart && block.text == title) {
                 return nlohmann::json::parse(compact_json(block.chart));

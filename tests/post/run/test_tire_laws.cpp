@@ -74,7 +74,7 @@ TEST(TireLaws, StandBesideWhatWasMeasured) {
     EXPECT_NEAR(measured[1]["difference_percent"], -0.310, 1e-2);
     EXPECT_NEAR(measured[2]["computed"], 121.485, 0.01);
     EXPECT_NEAR(measured[2]["difference_percent"], 1.24, 1e-2);
-    const Section section = tire_laws_section(problem);
+    const ReportSection section = tire_laws_section(problem);
     std::vector<std::string> charts;
     for (const PageItem& block : section.blocks()) {
         if (block.kind == PageItem::Kind::chart) {

@@ -92,7 +92,7 @@ StudyRecord samples() {
 std::size_t charts_of(const StudyRecord& study) { return study_chart_section(study).blocks().size(); }
 
 nlohmann::json chart_of(const StudyRecord& study, std::size_t i) {
-    const Section section = study_chart_section(study);
+    const ReportSection section = study_chart_section(study);
     return nlohmann::json::parse(json_text(section.blocks().at(i).chart));
 }
 

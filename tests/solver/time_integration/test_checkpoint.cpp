@@ -54,7 +54,7 @@ TEST(Checkpoint, AResumedRunEndsWithTheSameDigits) {
     std::vector<Row> whole;
     std::vector<Checkpoint> kept;
     std::vector<std::size_t> rows_then;
-    const Report report =
+    const MarchReport report =
         run(problem, keep_rows(whole), {.from = nullptr, .every = 20, .keep = [&](const Checkpoint& c) {
                                             kept.push_back(c);
                                             rows_then.push_back(whole.size());
@@ -63,7 +63,7 @@ TEST(Checkpoint, AResumedRunEndsWithTheSameDigits) {
     ASSERT_GE(kept.size(), 3U);
     for (std::size_t i = 0; i < kept.size(); ++i) {
         std::vector<Row> rest;
-        const Report resumed =
+        const MarchReport resumed =
             run(problem, keep_rows(rest), {.from = &kept[i], .every = 20, .keep = [](const Checkpoint&) {}});
         ASSERT_TRUE(resumed.status.ok()) << resumed.status.message;
         EXPECT_EQ(resumed.steps, report.steps);
@@ -83,7 +83,7 @@ TEST(Checkpoint, LeavingOrTakingOneChangesNoDigit) {
             Problem problem = eventful();
             problem.settings.linear_solver = solver;
             std::vector<Row> plain;
-            const Report report = run(problem, keep_rows(plain));
+            const MarchReport report = run(problem, keep_rows(plain));
             ASSERT_TRUE(report.status.ok());
             std::vector<Row> whole;
             std::vector<Checkpoint> kept;
@@ -97,7 +97,7 @@ TEST(Checkpoint, LeavingOrTakingOneChangesNoDigit) {
             ASSERT_FALSE(kept.empty());
             for (std::size_t i = 0; i < kept.size(); i += std::max<std::size_t>(1, kept.size() / 20)) {
                 std::vector<Row> rest;
-                const Report resumed = run(problem, keep_rows(rest), {.from = &kept[i], .every = 0, .keep = {}});
+                const MarchReport resumed = run(problem, keep_rows(rest), {.from = &kept[i], .every = 0, .keep = {}});
                 ASSERT_TRUE(resumed.status.ok()) << resumed.status.message;
                 const std::vector<Row> expected(plain.begin() + static_cast<std::ptrdiff_t>(rows_then[i]), plain.end());
                 EXPECT_EQ(rest, expected) << "checkpoint " << i;
@@ -114,11 +114,11 @@ TEST(Checkpoint, LeavingOrTakingOneChangesNoDigit) {
 TEST(Checkpoint, IsLeftWhenItIsDue) {
     int asked = 0;
     int left = 0;
-    const Report report = run(eventful(), nullptr,
-                              {.from = nullptr,
-                               .every = 1,
-                               .keep = [&](const Checkpoint&) { ++left; },
-                               .due = [&] { return ++asked % 10 == 0; }});
+    const MarchReport report = run(eventful(), nullptr,
+                                   {.from = nullptr,
+                                    .every = 1,
+                                    .keep = [&](const Checkpoint&) { ++left; },
+                                    .due = [&] { return ++asked % 10 == 0; }});
     EXPECT_EQ(asked, report.steps);
     EXPECT_EQ(left, report.steps / 10);
 }
@@ -126,7 +126,7 @@ TEST(Checkpoint, IsLeftWhenItIsDue) {
 TEST(Checkpoint, OfAnotherProblemIsRefused) {
     Checkpoint kept;
     (void)run(eventful(), nullptr, {.from = nullptr, .every = 20, .keep = [&](const Checkpoint& c) { kept = c; }});
-    const Report report = run(heated_strip(7), nullptr, {.from = &kept, .every = 0, .keep = {}});
+    const MarchReport report = run(heated_strip(7), nullptr, {.from = &kept, .every = 0, .keep = {}});
     EXPECT_EQ(report.status.outcome, Outcome::foreign_checkpoint);
     EXPECT_NE(report.status.message.find("another case"), std::string::npos);
 }

@@ -66,7 +66,7 @@ TEST(LawRanges, AreWatchedThroughARun) {
     support::hold(problem, "air_temperature", 293.15);
     support::start_at(problem, zero + 160.0);
     problem.settings.end = 10000.0;
-    const Report report = run(problem, {});
+    const MarchReport report = run(problem, {});
     ASSERT_EQ(report.warnings.size(), 1U);
     const std::string said = report.warnings.front().text();
     EXPECT_NE(said.find("160.0 degC"), std::string::npos) << said;

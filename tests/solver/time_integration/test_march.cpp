@@ -25,7 +25,7 @@ struct Rows {
     std::vector<double> attributed;
 };
 
-Report collect(const Problem& problem, Rows& rows) {
+MarchReport collect(const Problem& problem, Rows& rows) {
     return run(problem, [&](const Snapshot& s) {
         rows.time.push_back(s.time);
         rows.channels.emplace_back(s.channels.begin(), s.channels.end());
@@ -40,7 +40,7 @@ Report collect(const Problem& problem, Rows& rows) {
     });
 }
 
-Report quiet(const Problem& problem) {
+MarchReport quiet(const Problem& problem) {
     return run(problem, [](const Snapshot&) { return true; });
 }
 
@@ -73,7 +73,7 @@ void add_terms_of_lamp(const physics::EvaluationState& m, physics::Terms& terms)
 physics::Effect effect(std::string_view id, void (*add_terms)(const physics::EvaluationState&, physics::Terms&),
                        bool derivatives) {
     return {.id = id,
-            .kind = physics::Kind::source,
+            .kind = physics::EffectKind::source,
             .equation = "",
             .source = "",
             .meaning = "",
@@ -94,7 +94,7 @@ TEST(Run, ReportsRowsExactlyAtTheOutputTimes) {
     problem.settings.output_interval = 10.0;
     problem.settings.field_interval = 30.0;
     Rows rows;
-    const Report report = collect(problem, rows);
+    const MarchReport report = collect(problem, rows);
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     ASSERT_EQ(rows.time.size(), 11U);
     for (std::size_t i = 0; i < 10; ++i) {
@@ -127,7 +127,7 @@ TEST(Run, BooksAllHeatInEveryRow) {
     Problem problem = two_node_tire();
     problem.settings.output_interval = 7.0;
     Rows rows;
-    const Report report = collect(problem, rows);
+    const MarchReport report = collect(problem, rows);
     ASSERT_TRUE(report.status.ok());
     EXPECT_LT(report.energy_closure, 1e-10);
     EXPECT_GT(rows.stored.back(), 1e5);
@@ -188,7 +188,7 @@ TEST(Run, FixedStepsAreOfThatSizeAndEndOnTime) {
     problem.settings.end = 10.0;
     problem.settings.fixed_step = 3.0;
     Rows rows;
-    const Report report = collect(problem, rows);
+    const MarchReport report = collect(problem, rows);
     EXPECT_EQ(report.steps, 4);
     EXPECT_EQ(rows.time, (std::vector<double>{0.0, 3.0, 6.0, 9.0, 10.0}));
 }
@@ -196,9 +196,9 @@ TEST(Run, FixedStepsAreOfThatSizeAndEndOnTime) {
 TEST(Run, TighterToleranceTakesMoreSteps) {
     Problem problem = heated_strip(20);
     problem.settings.tolerance = 0.1;
-    const Report loose = quiet(problem);
+    const MarchReport loose = quiet(problem);
     problem.settings.tolerance = 1e-4;
-    const Report tight = quiet(problem);
+    const MarchReport tight = quiet(problem);
     // Second order: the step goes with tolerance^(1/3), a thousandth costs ten times the steps.
     EXPECT_GT(tight.steps, 4 * loose.steps);
     EXPECT_LT(loose.steps, 60);
@@ -206,7 +206,7 @@ TEST(Run, TighterToleranceTakesMoreSteps) {
 
 TEST(Run, LinearProblemNeedsFewFactorisations) {
     Problem problem = heated_strip(40);
-    const Report report = quiet(problem);
+    const MarchReport report = quiet(problem);
     ASSERT_TRUE(report.status.ok());
     // Two implicit stages a step. With a factor of its own length a stage takes one correction, with that of a step nearby two.
     EXPECT_LE(report.newton_iterations, 2 * 2 * (report.steps + report.rejected));
@@ -219,7 +219,7 @@ TEST(Run, SteadyStateOfAHeatedStripIsTheHeatOverTheFilm) {
     Problem problem = heated_strip(40);
     problem.settings.steady = true;
     problem.channels.push_back({.name = "surface", .meaning = "", .where = problem.mesh.regions[0].mean});
-    const Report report = quiet(problem);
+    const MarchReport report = quiet(problem);
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     EXPECT_NEAR(report.channel_final[1], 325.0, 1e-8);
     EXPECT_NEAR(report.channel_final[0], 325.0 + 1e5 * 1e-4 / (12.0 * 0.29), 0.01);
@@ -230,7 +230,7 @@ TEST(Run, SteadyStateWithoutExchangeIsRefusedInASentence) {
     Problem problem = heated_strip(5);
     problem.effects.erase(problem.effects.begin() + 1);
     problem.settings.steady = true;
-    const Report report = quiet(problem);
+    const MarchReport report = quiet(problem);
     EXPECT_EQ(report.status.outcome, Outcome::not_positive_definite);
     EXPECT_NE(report.status.message.find("exchanges heat with nothing"), std::string::npos) << report.status.message;
 }
@@ -239,7 +239,7 @@ TEST(Run, StopsWhenTheObserverSaysSo) {
     Problem problem = heated_strip(5);
     problem.settings.output_interval = 10.0;
     int rows = 0;
-    const Report report = run(problem, [&](const Snapshot&) { return ++rows < 4; });
+    const MarchReport report = run(problem, [&](const Snapshot&) { return ++rows < 4; });
     EXPECT_EQ(report.status.outcome, Outcome::stopped);
     EXPECT_EQ(rows, 4);
 }
@@ -250,7 +250,7 @@ TEST(Run, HearsTheStopSignalBetweenRows) {
     problem.settings.output_interval = problem.settings.end;
     stop_after(0.0);
     Rows rows;
-    const Report report = collect(problem, rows);
+    const MarchReport report = collect(problem, rows);
     stop_after(std::numeric_limits<double>::infinity());
     EXPECT_EQ(report.status.outcome, Outcome::stopped);
     EXPECT_LT(report.simulated, 0.5 * problem.settings.end);
@@ -259,7 +259,7 @@ TEST(Run, HearsTheStopSignalBetweenRows) {
 
 TEST(Run, SaysWhereAndWhenTheBalanceIsNotANumber) {
     const physics::Effect bad = effect("bad_heat", add_terms_nan, true);
-    const Report report = quiet(with(bad));
+    const MarchReport report = quiet(with(bad));
     EXPECT_EQ(report.status.outcome, Outcome::not_finite);
     EXPECT_NE(report.status.message.find("bad_heat"), std::string::npos) << report.status.message;
     EXPECT_NE(report.status.message.find("cell 0 of layer rubber"), std::string::npos) << report.status.message;
@@ -269,14 +269,14 @@ TEST(Run, SaysWhereAndWhenTheBalanceIsNotANumber) {
 
 TEST(Run, SaysWhichEffectKeepsTheBalanceFromConverging) {
     const physics::Effect bad = effect("jumping_heat", add_terms_jumping, true);
-    const Report report = quiet(with(bad));
+    const MarchReport report = quiet(with(bad));
     EXPECT_FALSE(report.status.ok());
     EXPECT_NE(report.status.message.find("jumping_heat"), std::string::npos) << report.status.message;
 }
 
 TEST(Run, SaysWhichEffectGaveANegativeConductance) {
     const physics::Effect bad = effect("backward_exchange", add_terms_negative, true);
-    const Report report = quiet(with(bad));
+    const MarchReport report = quiet(with(bad));
     EXPECT_EQ(report.status.outcome, Outcome::negative_conductance);
     EXPECT_NE(report.status.message.find("backward_exchange"), std::string::npos) << report.status.message;
 }
@@ -284,8 +284,8 @@ TEST(Run, SaysWhichEffectGaveANegativeConductance) {
 TEST(Run, DerivativesByDifferenceGiveTheSameSolution) {
     const physics::Effect own = effect("square", add_terms_square, true);
     const physics::Effect difference = effect("square", add_terms_square_without, false);
-    const Report with_own = quiet(with(own));
-    const Report with_difference = quiet(with(difference));
+    const MarchReport with_own = quiet(with(own));
+    const MarchReport with_difference = quiet(with(difference));
     ASSERT_TRUE(with_own.status.ok());
     ASSERT_TRUE(with_difference.status.ok());
     EXPECT_NEAR(with_own.channel_final[0], with_difference.channel_final[0], 1e-6);
@@ -294,7 +294,7 @@ TEST(Run, DerivativesByDifferenceGiveTheSameSolution) {
 }
 
 TEST(Run, FindsTheHottestAndTheColdestPlace) {
-    const Report report = quiet(heated_strip(5));
+    const MarchReport report = quiet(heated_strip(5));
     EXPECT_EQ(report.hottest.node, 2);  // the middle cell of five
     EXPECT_DOUBLE_EQ(report.hottest.time, 1000.0);
     EXPECT_DOUBLE_EQ(report.coldest.temperature, 300.0);
@@ -304,7 +304,7 @@ TEST(Run, FindsTheHottestAndTheColdestPlace) {
 TEST(Run, EffectiveLinkOfTwoNodesIsTheLink) {
     // k(T_bulk) / dZ * S_tot at the end of the run.
     const Problem problem = two_node_tire();
-    const Report report = quiet(problem);
+    const MarchReport report = quiet(problem);
     const double k = problem.link_laws[0].value(report.channel_final[1]);
     EXPECT_NEAR(report.effective_two_node_conductance, k / 0.010 * problem.tire.outer_area(), 1e-9);
 }
@@ -341,7 +341,7 @@ TEST(Run, WarnsWhenTheSurfaceLeavesTheRangeOfTheConvectionLaw) {
     problem.effects[3].choices = {1};
     EXPECT_TRUE(quiet(problem).warnings.empty());
     problem.initial.assign(2, 393.15);
-    const Report hot = quiet(problem);
+    const MarchReport hot = quiet(problem);
     ASSERT_EQ(hot.warnings.size(), 1U);
     EXPECT_NE(hot.warnings[0].text().find("120.0 degC"), std::string::npos) << hot.warnings[0].text();
     physics::ActiveEffect& air = problem.effects[3];
@@ -375,7 +375,7 @@ TEST(March, NoStepOfNoLengthIsLeftUpToASample) {
     problem.settings.tolerance = 1e-6;
     double last = 0.0;
     double shortest = 0.9;
-    const Report report = run(problem, [&](const Snapshot& now) {
+    const MarchReport report = run(problem, [&](const Snapshot& now) {
         EXPECT_TRUE(std::isfinite(now.channels[0])) << "at " << now.time << " s";
         if (now.time > 0.0) {
             shortest = std::min(shortest, now.time - last);
@@ -393,7 +393,7 @@ TEST(March, NoStepOfNoLengthIsLeftUpToASample) {
 TEST(March, HottestIsThePeakBetweenTheCells) {
     Problem problem = heated_strip(4);
     problem.settings.end = 1e4;  // 20 time constants rho c L/(2 h) = 495 s
-    const Report report = run(problem, [](const Snapshot&) { return true; });
+    const MarchReport report = run(problem, [](const Snapshot&) { return true; });
     ASSERT_TRUE(report.status.ok()) << report.status.message;
     EXPECT_NEAR(report.hottest.temperature, 329.5797, 1e-3);
 }
@@ -407,7 +407,7 @@ TEST(March, TheFieldOfTheHottestStepIsKept) {
     support::schedule(problem, "air_temperature", {0.0, 1000.0, 1000.0, 3000.0}, {353.15, 353.15, 300.0, 300.0});
     problem.settings.end = 3000.0;
     problem.settings.output_interval = 700.0;
-    const Report report = quiet(problem);
+    const MarchReport report = quiet(problem);
     // At 1000 s the surface has (232 344.62 + 20 353.15) / 252 = 345.30 K. Afterwards it is cold at once and the field falls from
     // there to the middle: no place between the centres is hotter than the surface was.
     EXPECT_EQ(report.hottest.time, 1000.0);
@@ -423,7 +423,7 @@ TEST(March, TheFieldOfTheHottestStepIsKept) {
 TEST(March, APlateauIsHottestWhenItIsReached) {
     Problem problem = heated_strip(8);
     problem.settings.end = 1e5;
-    const Report report = quiet(problem);
+    const MarchReport report = quiet(problem);
     EXPECT_NEAR(report.hottest.temperature, 329.3, 0.2);
     EXPECT_LT(report.hottest.time, 8000.0);
 }
@@ -461,7 +461,7 @@ TEST(Run, WattsOfARowAreThoseOfItsTime) {
                                .value = std::vector{0.0, 100.0}});
     problem.settings.output_interval = 7.0;
     std::size_t rows = 0;
-    const Report report = run(problem, [&](const Snapshot& s) {
+    const MarchReport report = run(problem, [&](const Snapshot& s) {
         EXPECT_NEAR(s.watts.back(), 0.1 * s.time, 1e-9) << s.time;
         EXPECT_NEAR(s.joules.back(), 0.05 * s.time * s.time, 1e-6) << s.time;
         ++rows;

@@ -65,7 +65,7 @@ TEST(Session, GivesTheNumbersOfTheBatchRunAtTheSameSteps) {
     }
     problem.settings.end = dt * steps;
     problem.settings.fixed_step = dt;
-    const Report batch = run(problem, [](const Snapshot&) { return true; });
+    const MarchReport batch = run(problem, [](const Snapshot&) { return true; });
     ASSERT_TRUE(batch.status.ok());
     ASSERT_EQ(batch.steps, steps);
 
