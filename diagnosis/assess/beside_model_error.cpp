@@ -88,6 +88,9 @@ void search_on(DiagnosisState& state, const RicherModel& richer) {
     std::ranges::copy(search.remarks, std::back_inserter(there.remarks));
     score_data = std::move(on_it);
     search = std::move(there);
+    state.singles.clear();  // their candidates are those of the other mesh
+    state.pairs.clear();
+    state.unknown_stands = false;
     state.mesh = richer.name;
     state.change = richer.change;
 }
