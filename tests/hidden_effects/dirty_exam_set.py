@@ -11,6 +11,7 @@ import os
 import pathlib
 import re
 import subprocess
+import tempfile
 import time
 
 # Sizes beyond these no engineer believes: (lowest, highest) of a parameter, in the units of diagnosis.json.
@@ -46,12 +47,16 @@ class Call:
 
         environment = dict(os.environ, OPENBLAS_NUM_THREADS="1")
         limited = ["/bin/sh", "-c", 'ulimit -t "$0" && exec "$@"', str(int(cpu_limit))]
-        process = subprocess.Popen([*limited, str(program), *map(str, words)], stdout=subprocess.PIPE,
-                                   stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, text=True, env=environment)
-        self.text = process.stdout.read()
-        _, status, used = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        process.stdout.close()
+        with tempfile.TemporaryFile("w+") as told:  # progress, which a call of more than a minute tells, is no part of the JSON
+            process = subprocess.Popen([*limited, str(program), *map(str, words)], stdout=subprocess.PIPE, stderr=told,
+                                       stdin=subprocess.DEVNULL, text=True, env=environment)
+            self.text = process.stdout.read()
+            _, status, used = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            process.stdout.close()
+            if process.returncode != 0:
+                told.seek(0)
+                self.text += told.read()
         self.code, self.cpu = process.returncode, used.ru_utime + used.ru_stime
         self.seconds = time.monotonic() - begin
         try:
