@@ -32,15 +32,15 @@ public:
     [[nodiscard]] bool opened() const { return file_ >= 0; }
     [[nodiscard]] hid_t file() const { return file_; }
 
-    struct TextTable {
+    struct Table {
         std::vector<hsize_t> size;
         std::vector<double> values;
     };
-    [[nodiscard]] TextTable table(const std::string& path) const {
+    [[nodiscard]] Table table(const std::string& path) const {
         const hid_t dataset = H5Dopen2(file_, path.c_str(), H5P_DEFAULT);
         EXPECT_GE(dataset, 0) << "no dataset " << path;
         const hid_t space = H5Dget_space(dataset);
-        TextTable table;
+        Table table;
         table.size.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
         H5Sget_simple_extent_dims(space, table.size.data(), nullptr);
         table.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
