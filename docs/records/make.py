@@ -74,6 +74,17 @@ def exam_dirty(entry, sources, run):
     return found
 
 
+def exam_second(entry, sources, run):
+    """Figures of the second exam on dirty data, whose sets are made on the way."""
+    script, *words = entry["record"].split()
+    folder = (ROOT / script).parent
+    sets, result = sources.scratch / "second_sets", sources.scratch / "exam_second.json"
+    run([str(folder / "second_dirty_exam.py"), *words, "--out", str(sets)], ROOT)
+    run([str(ROOT / script), *words, "--program", str(sources.program), "--benches", str(ROOT / "cases" / "practice"),
+         "--sets", str(sets), "--out", str(sources.scratch / "second_scores"), "--json", str(result)], ROOT)
+    return json.loads(result.read_text())
+
+
 def coverage(entry, sources, run):
     """How many intervals hold the truth, from the rows that the long tests print (tests/support/coverage.hpp)."""
     text = run([str(sources.tests / "test_hidden_effects"), "--gtest_filter=*RecoveryLong.*"], sources.tests)

@@ -161,42 +161,66 @@ def line(row):
             f"{'C' if row.get('confirmed') else ' '} {kept:>6s} {f'{best:.2f}' if best else '-':>5s} {row['cpu']:6.1f} s  [{true or 'nothing'}]  {row['said']}")
 
 
-def share(hits):
-    """Text "n of m"."""
-    hits = list(hits)
-    return f"{sum(bool(hit) for hit in hits)} of {len(hits)}"
+# Key of a share and its words.
+SHARES = {
+    "largest_in_set": "largest true cause in the set, by id",
+    "largest_found": "    or unknown at its place, or in words",
+    "visible_found": f"    of those whose largest has {VISIBLE} K and more",
+    "timing_named": "timing, where largest and visible, named",
+    "confident_and_worse": "confident and worse by > 2 % on the kept-back run",
+    "extended_worse": "extended worse by > 2 %, any verdict",
+    "false_alarm": "false alarm on nothing hidden",
+    "null_cannot_tell": "    no answer on nothing hidden",
+    "free_hold_true": "95 % interval of film and loss holds the truth",
+    "free_hold_true_on_nothing": "    on nothing hidden",
+    "named_hold_true": "95 % interval of a named number holds the truth",
+    "implausible": "a size in the set that is called implausible",
+    "white_better": "a white-noise base predicts better by > 2 %",
+}
 
 
-def summary(rows):
-    """The figures of all sets, a line each."""
+def figures(rows):
+    """The figures of all sets: shares as [how many, of how many], medians."""
     hidden = [row for row in rows if not row["nothing_hidden"] and row["answered"]]
     nulls = [row for row in rows if row["nothing_hidden"] and row["answered"]]
     visible = [row for row in hidden if row["causes"][0][1] >= VISIBLE]
-    timed = [row for row in visible if row["causes"][0][2]]
     confident = [row for row in rows if (row["verdict"] == "named" or row.get("confirmed")) and ratio(row)]
-    extended = [row for row in rows if ratio(row)]
-    removed = [1 - (ratio(row) or 1.0) for row in hidden]
-    cpu = [row["cpu"] for row in rows]
-    both = [row for row in rows if row["rms_base"] and row["rms_white"]]
-    return "\n".join([
-        f"sets                                              {len(rows)}, ended at {CPU_LIMIT} s or failed: {sum(not row['answered'] for row in rows)}",
-        f"largest true cause in the set, by id              {share(row['matches'][0] == 'id' for row in hidden)}",
-        f"    or unknown at its place, or in words          {share(row['matches'][0] for row in hidden)}",
-        f"    of those whose largest has {VISIBLE} K and more      {share(row['matches'][0] for row in visible)}",
-        f"timing, where largest and visible, named          {share(row['timing'] for row in timed)}",
-        f"confident and worse by > 2 % on the kept-back run {share(ratio(row) > WORSE for row in confident)}",
-        f"extended worse by > 2 %, any verdict              {share(ratio(row) > WORSE for row in extended)}",
-        f"false alarm on nothing hidden                     {share(row['verdict'] in ('named', 'confounded', 'unknown', 'partial') for row in nulls)}"
-        f", cannot_tell {sum(row['verdict'] == 'cannot_tell' for row in nulls)}",
-        f"95 % interval of film and loss holds the truth    {share(hit for row in rows for hit in row['free'])}",
-        f"    on nothing hidden                             {share(hit for row in nulls for hit in row['free'])}",
-        f"95 % interval of a named number holds the truth   {share(hit for row in rows for hit in row['named'])}",
-        f"a size in the set that is called implausible      {share(row.get('implausible') for row in hidden)}",
-        f"kept-back error removed, median                   {100 * statistics.median(removed or [0]):.0f} %"
-        f" (layers {100 * statistics.median([1 - (ratio(r) or 1) for r in hidden if r['base'] == 'layers'] or [0]):.0f},"
-        f" two nodes {100 * statistics.median([1 - (ratio(r) or 1) for r in hidden if r['base'] != 'layers'] or [0]):.0f})",
-        f"a white-noise base predicts better by > 2 %       {share(row['rms_base'] > WORSE * row['rms_white'] for row in both)}",
-        f"CPU median / largest                              {statistics.median(cpu):.1f} / {max(cpu):.1f} s"])
+    removed = [(row["base"], 1 - (ratio(row) or 1.0)) for row in hidden]
+    hits = {
+        "largest_in_set": [row["matches"][0] == "id" for row in hidden],
+        "largest_found": [row["matches"][0] for row in hidden],
+        "visible_found": [row["matches"][0] for row in visible],
+        "timing_named": [row["timing"] for row in visible if row["causes"][0][2]],
+        "confident_and_worse": [ratio(row) > WORSE for row in confident],
+        "extended_worse": [ratio(row) > WORSE for row in rows if ratio(row)],
+        "false_alarm": [row["verdict"] in ("named", "confounded", "unknown", "partial") for row in nulls],
+        "null_cannot_tell": [row["verdict"] == "cannot_tell" for row in nulls],
+        "free_hold_true": [hit for row in rows for hit in row["free"]],
+        "free_hold_true_on_nothing": [hit for row in nulls for hit in row["free"]],
+        "named_hold_true": [hit for row in rows for hit in row["named"]],
+        "implausible": [row.get("implausible") for row in hidden],
+        "white_better": [row["rms_base"] > WORSE * row["rms_white"] for row in rows if row["rms_base"] and row["rms_white"]],
+    }
+    return {
+        "sets": len(rows),
+        "not_answered": sum(not row["answered"] for row in rows),
+        "shares": {key: [sum(bool(hit) for hit in hits[key]), len(hits[key])] for key in SHARES},
+        "removed_median": statistics.median([share for _, share in removed] or [0]),
+        "removed_median_layers": statistics.median([share for base, share in removed if base == "layers"] or [0]),
+        "removed_median_two_nodes": statistics.median([share for base, share in removed if base != "layers"] or [0]),
+        "cpu_median": statistics.median(row["cpu"] for row in rows),
+        "cpu_most": max(row["cpu"] for row in rows),
+    }
+
+
+def summary(found):
+    """The figures, a line each."""
+    lines = [f"{'sets':50}{found['sets']}, ended at {CPU_LIMIT} s or failed: {found['not_answered']}"]
+    lines += [f"{SHARES[key]:50}{n} of {of}" for key, (n, of) in found["shares"].items()]
+    layers, two_nodes = found["removed_median_layers"], found["removed_median_two_nodes"]
+    lines += [f"{'kept-back error removed, median':50}{found['removed_median']:.0%} (layers {layers:.0%}, two nodes {two_nodes:.0%})",
+              f"{'CPU median / largest':50}{found['cpu_median']:.1f} / {found['cpu_most']:.1f} s"]
+    return "\n".join(lines)
 
 
 def main():
@@ -208,6 +232,7 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True, help="where results go")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--last", type=int, default=23)
+    parser.add_argument("--json", type=pathlib.Path, help="file for the figures of all sets")
     parser.add_argument("--keep-candidates", action="store_true", help="only the candidates that the bench names")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
@@ -220,7 +245,10 @@ def main():
                 rows[number] = measure_set(options, number, log)
                 kept.write_text(json.dumps(list(rows.values()), indent=1) + "\n")
             print(line(judge_set(options, rows[number])), flush=True)
-    print(summary([judge_set(options, rows[number]) for number in numbers]))
+    found = figures([judge_set(options, rows[number]) for number in numbers])
+    print(summary(found))
+    if options.json:
+        options.json.write_text(json.dumps(found, indent=1) + "\n")
 
 
 if __name__ == "__main__":
