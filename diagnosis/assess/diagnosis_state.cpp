@@ -136,13 +136,17 @@ void describe_causes(const DiagnosisState& found, Diagnosis& into) {
             into.hypotheses.push_back(std::move(members));
         }
     };
+    // A richer mesh was there before what was added to it.
+    const bool has_mesh = !found.mesh.empty() && !found.set.empty();
+    if (has_mesh) {
+        into.causes.push_back({.kind = CauseKind::mesh, .id = "mesh", .place = found.mesh, .in_set = true, .rank = 1});
+        described.push_back(static_cast<std::size_t>(-1));
+    }
     for (const FittedHypothesis* one : found.set) {
         describe(*one, true);
     }
-    if (!found.mesh.empty() && !into.hypotheses.empty()) {
-        into.hypotheses.front().insert(into.hypotheses.front().begin(), into.causes.size());
-        into.causes.push_back({.kind = CauseKind::mesh, .id = "mesh", .place = found.mesh, .in_set = true, .rank = 1});
-        described.push_back(static_cast<std::size_t>(-1));
+    if (has_mesh) {
+        into.hypotheses.front().insert(into.hypotheses.front().begin(), 0);
     }
     for (const std::string& mesh : found.other_meshes) {
         if (mesh != found.mesh && !into.hypotheses.empty()) {

@@ -149,8 +149,12 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
                                      .high = std::min(numbers[j].high, high)});
     }
     // The sizes of the causes carry the same errors.
-    for (std::size_t i = 0; best != nullptr && i < best->candidates.size() && i < into.causes.size(); ++i) {
-        into.causes[i].widen(halves);
+    std::size_t members = best != nullptr ? best->candidates.size() : 0;
+    for (Cause& cause : into.causes) {
+        if (cause.kind == CauseKind::effect && members > 0) {
+            cause.widen(halves);
+            --members;
+        }
     }
 }
 

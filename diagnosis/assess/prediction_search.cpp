@@ -334,7 +334,9 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
                             .count = trials.size()});
             Improvement one{.model = predicted(score_data, std::move(trial.hypothesis), now.noise)};
             one.gain = gain_over(now, one.model, score_data);
-            if (one.model.out.ok && is_improvement(one.gain)) {
+            // The best of several is the likelier by chance the less there is left to find.
+            const double beyond_doubt = search.accepted.empty() ? 0.0 : least_removed;
+            if (one.model.out.ok && is_improvement(one.gain) && one.gain.low > beyond_doubt) {
                 better.push_back(std::move(one));
             } else if (one.model.out.ok) {
                 search.largest_gain = std::max(search.largest_gain, one.gain.removed);
