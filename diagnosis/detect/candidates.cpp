@@ -13,6 +13,7 @@
 
 #include "input/parameters/effect_names.hpp"
 #include "input/parameters/parameter_path.hpp"
+#include "physics/plausible_ranges.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -130,11 +131,16 @@ void add(std::vector<Candidate>& all, const Candidate& plain) {
         one.companions = {{.parameter = other, .factor = special->factor}};
     }
     const auto n_held = static_cast<std::size_t>(std::ranges::find(special->held, 0.0) - special->held.begin());
+    const physics::PlausibleRange* range =
+        n_held > 0 ? physics::plausible_range(*plain.effect, other, physics::SensorKind::any) : nullptr;
     for (std::size_t i = 0; i < n_held; ++i) {
         const double value = special->held[i];
         const double below = i > 0 ? value - special->held[i - 1] : special->held[i + 1] - value;
         const double above = i + 1 < n_held ? special->held[i + 1] - value : below;
-        one.held = {{.parameter = other, .value = value, .low = value - below, .high = value + above}};
+        one.held = {{.parameter = other,
+                     .value = value,
+                     .low = range != nullptr ? std::max(value - below, range->low) : value - below,
+                     .high = range != nullptr ? std::min(value + above, range->high) : value + above}};
         all.push_back(one);
     }
     for (const double value : special->trials) {

@@ -103,5 +103,20 @@ TEST(Candidates, TheDrumOfTheLawIsWhereItsCurvatureIsAbsent) {
     EXPECT_EQ(candidates_of(experiment, {"drum_curvature"}).front().absent, 1.0);
 }
 
+// The wave's speed is tried from 80 to 245 km/h and moves as far as the next values: below 80 km/h no tire has a wave, and the first
+// distance of 15 km/h would allow 65.
+TEST(Candidates, AValueThatIsHeldMovesWithinWhatIsPlausible) {
+    double lowest = 1e9;
+    double highest = 0.0;
+    for (const Candidate& one : candidates_of(practice_bench(), {"standing_wave"})) {
+        ASSERT_EQ(one.held.size(), 1U);
+        EXPECT_LT(one.held.front().low, one.held.front().value + 1e-9);
+        lowest = std::min(lowest, one.held.front().low);
+        highest = std::max(highest, one.held.front().high);
+    }
+    EXPECT_EQ(lowest, 80.0);
+    EXPECT_EQ(highest, 275.0);  // 245 and the last distance
+}
+
 }  // namespace
 }  // namespace tiretherm::diagnosis::sample
