@@ -111,7 +111,7 @@ std::vector<CauseGroup> additions_to(const ScoreTestData& score_data, const Fitt
         }
     }
     std::ranges::stable_sort(all, std::greater{}, &CauseGroup::promised);
-    std::ranges::stable_partition(all, [](const CauseGroup& one) { return !one.at_end; });
+    std::stable_partition(all.begin(), all.end(), [](const CauseGroup& one) { return !one.at_end; });
     std::set<std::vector<std::size_t>> taken;
     std::erase_if(all, [&](const CauseGroup& one) {
         std::vector<std::size_t> causes;

@@ -135,7 +135,7 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
     const LinearPrediction linear = linear_beside(score_data, now.hypothesis, now.noise, true);
     const LinearPrediction::MeanSquares before = linear.with({});
     std::vector<CauseGroup> additions = additions_to(score_data, now.hypothesis, linear);
-    std::ranges::stable_partition(additions, &CauseGroup::is_timing);
+    std::stable_partition(additions.begin(), additions.end(), [](const CauseGroup& one) { return one.is_timing; });
     std::vector<Trial> trials;
     std::size_t fitted = 0;
     std::size_t admissible = 0;
