@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "physics/effect.hpp"
 #include "physics/tire.hpp"
 
 namespace tiretherm::physics {
@@ -28,5 +29,8 @@ struct ForcedConvection {
         return air_conductivity / length(tire) * coefficient * std::pow(reynolds(tire, speed), exponent);
     }
 };
+
+/// The law of air_convection, with the thesis's numbers where that is off.
+[[nodiscard]] ForcedConvection forced_convection(const PlacementContext& context);
 
 }  // namespace tiretherm::physics

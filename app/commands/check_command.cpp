@@ -141,23 +141,24 @@ std::string sheet_text(const physics::Sheet& sheet) {
                        modulus_text(sheet.E_x), modulus_text(sheet.E_y), modulus_text(sheet.G_xy), sheet.nu_xy);
 }
 
-/// "belt: 11.3 % cords; at 20 degC 0.313 W/mK through, 1.09 along the meridian, 5.09 around the circumference; ...".
-std::string ply_text(const input::PlySummary& ply) {
-    std::string text = fmt::format(
-        "{}: {:.3g} % cords; at {:.6g} degC {:.3g} W/mK through, {:.3g} along the meridian, {:.3g} around the "
-        "circumference",
-        ply.material, ply.cord_share * 100.0, celsius(ply.temperature), ply.through, ply.meridian, ply.circumference);
-    if (ply.elastic) {
-        const physics::Lamina& lamina = ply.elastic->lamina;
-        text += fmt::format("; moduli of one ply {} along its cords, {} across, G12 {}, nu12 {:.3g}; {}",
-                            modulus_text(lamina.E1), modulus_text(lamina.E2), modulus_text(lamina.G12), lamina.nu12,
-                            sheet_text(ply.elastic->ply));
-        if (ply.elastic->plies > 1) {
-            text +=
-                fmt::format("; of its {} plies on one another {}", ply.elastic->plies, sheet_text(ply.elastic->layer));
-        }
+/// "belt: 11.3 % cords; at 20 degC 0.313 W/mK through, 1.09 along the meridian, 5.09 around the circumference"; its moduli on lines
+/// of their own.
+void add_ply(post::TextTable& table, const input::PlySummary& ply) {
+    table.add({"plies",
+               fmt::format("{}: {:.3g} % cords; at {:.6g} degC {:.3g} W/mK through, {:.3g} along the meridian, {:.3g} "
+                           "around the circumference",
+                           ply.material, ply.cord_share * 100.0, celsius(ply.temperature), ply.through, ply.meridian,
+                           ply.circumference)});
+    if (!ply.elastic) {
+        return;
     }
-    return text;
+    const physics::Lamina& lamina = ply.elastic->lamina;
+    table.add({"", fmt::format("one ply {} along its cords, {} across, G12 {}, nu12 {:.3g}", modulus_text(lamina.E1),
+                               modulus_text(lamina.E2), modulus_text(lamina.G12), lamina.nu12)});
+    table.add({"", "one ply " + sheet_text(ply.elastic->ply)});
+    if (ply.elastic->plies > 1) {
+        table.add({"", fmt::format("{} plies together {}", ply.elastic->plies, sheet_text(ply.elastic->layer))});
+    }
 }
 
 /// "tan delta at most 0.786 at -8 degC and 52 Hz"; of several compounds with their layers.
@@ -179,7 +180,7 @@ void print_text(const Checked& checked) {
         table.add({"tire", tire});
     }
     for (const input::PlySummary& ply : checked.plies) {
-        table.add({"plies", ply_text(ply)});
+        add_ply(table, ply);
     }
     if (const auto compounds = post::compound_peaks(problem); !compounds.empty()) {
         table.add({"loss", loss_text(compounds)});

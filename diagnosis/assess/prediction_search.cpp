@@ -74,12 +74,9 @@ PredictedModel predicted(ScoreTestData& score_data, FittedHypothesis hypothesis,
     return model;
 }
 
-/// What no model can remove of each channel's error: its sensor's noise, as far as it is stated. @returns [n_noises]
-std::vector<double> floor_of(const Observations& observations) { return observations.stated; }
-
 PredictionGain gain_over(const PredictedModel& before, const PredictedModel& after, const ScoreTestData& score_data) {
-    return compare_predictions(before.out, after.out, *score_data.observations, score_data.noise.channels,
-                               floor_of(*score_data.observations));
+    const Observations& observations = *score_data.observations;
+    return compare_predictions(before.out, after.out, observations, score_data.noise.channels, observations.stated);
 }
 
 Effort effort_of(const ScoreTestData& score_data) {
@@ -267,8 +264,9 @@ PredictedModel settled(ScoreTestData& score_data, PredictedModel model) {
 
 }  // namespace
 
-bool is_improvement(const PredictionGain& gain) {
-    return gain.removed > least_removed && gain.low > 0.0 && (gain.in_every_fold || gain.low > beyond_one_run) &&
+bool is_improvement(const PredictionGain& gain, double beyond_doubt) {
+    return gain.removed > least_removed && gain.low > beyond_doubt &&
+           (gain.in_every_fold || gain.low > beyond_one_run) &&
            gain.worst <= 1.0 + tolerated_rise + rise_of_removed * gain.removed;
 }
 
@@ -336,7 +334,7 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
             one.gain = gain_over(now, one.model, score_data);
             // The best of several is the likelier by chance the less there is left to find.
             const double beyond_doubt = search.accepted.empty() ? 0.0 : least_removed;
-            if (one.model.out.ok && is_improvement(one.gain) && one.gain.low > beyond_doubt) {
+            if (one.model.out.ok && is_improvement(one.gain, beyond_doubt)) {
                 better.push_back(std::move(one));
             } else if (one.model.out.ok) {
                 search.largest_gain = std::max(search.largest_gain, one.gain.removed);

@@ -42,7 +42,8 @@ struct PredictionSearch {
 };
 
 /// Whether a gain is beyond chance, worth a number, and at the cost of no channel; of no run either, where it is small.
-[[nodiscard]] bool is_improvement(const PredictionGain& gain);
+/// @param beyond_doubt share of the mean square that the low end of its interval must be above
+[[nodiscard]] bool is_improvement(const PredictionGain& gain, double beyond_doubt = 0.0);
 
 /// Which of the case as it stands, the fit with correlated noise and the fit with white noise predicts data that were left
 /// out best. @param score_data of the base model, with correlated noise

@@ -28,16 +28,10 @@ constexpr std::array plausible{
 constexpr std::array<std::string_view, 3> reads{"speed", "vertical_load", "air_temperature"};
 constexpr std::array<std::string_view, 1> patches{"outside"};
 
-/// Keeps the numbers of air_convection's forced law in the order of ForcedConvection; those of the thesis when it is off.
+/// Keeps the numbers of air_convection's forced law in the order of ForcedConvection.
 void place(const PlacementContext& context, ActiveEffect& active) {
-    const ForcedConvection thesis;
-    active.weights = {thesis.coefficient, thesis.exponent, thesis.air_conductivity, thesis.air_viscosity};
-    if (const ActiveEffect* air = context.find("air_convection")) {
-        constexpr std::array<std::string_view, 4> keys{"coefficient", "exponent", "air_conductivity", "air_viscosity"};
-        for (std::size_t i = 0; i < keys.size(); ++i) {
-            active.weights[i] = (*air)[static_cast<std::size_t>(find_parameter(*air->effect, keys[i]))];
-        }
-    }
+    const ForcedConvection law = forced_convection(context);
+    active.weights = {law.coefficient, law.exponent, law.air_conductivity, law.air_viscosity};
 }
 
 /// A block is a fin that is cooled on both sides: efficiency tanh(mL)/(mL) with m^2 = 2 h/(k width).

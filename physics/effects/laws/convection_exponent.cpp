@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/convection.hpp"
 #include "physics/effect.hpp"
 
 namespace tiretherm::physics::effects {
@@ -32,11 +33,7 @@ constexpr std::array<std::string_view, 1> reads{"speed"};
 
 /// Keeps the exponent that air_convection has, as its only weight.
 void place(const PlacementContext& context, ActiveEffect& active) {
-    double base = 0.571;
-    if (const ActiveEffect* air = context.find("air_convection")) {
-        base = (*air)[static_cast<std::size_t>(find_parameter(*air->effect, "exponent"))];
-    }
-    active.weights = {base};
+    active.weights = {forced_convection(context).exponent};
 }
 
 /// h'(V) = h(pivot) (V/pivot)^n' = h(V) (V/pivot)^(n' - n). At rest h(V) is nothing and stays so.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/convection.hpp"
 #include "physics/effect.hpp"
 
 namespace tiretherm::physics::effects {
@@ -27,11 +28,7 @@ constexpr std::array<std::string_view, 1> reads{"speed"};
 
 /// Keeps the exponent that air_convection has, as its only weight.
 void place(const PlacementContext& context, ActiveEffect& active) {
-    double exponent = 0.571;
-    if (const ActiveEffect* air = context.find("air_convection")) {
-        exponent = (*air)[static_cast<std::size_t>(find_parameter(*air->effect, "exponent"))];
-    }
-    active.weights = {exponent};
+    active.weights = {forced_convection(context).exponent};
 }
 
 /// h(V_air) = h(V) (V_air/V)^n. At rest h(V) is nothing and stays so: what wind does to a tire that stands is not in the law.

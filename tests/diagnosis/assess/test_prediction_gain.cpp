@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnosis/assess/prediction_search.hpp"
+
 namespace tiretherm::diagnosis {
 namespace {
 
@@ -99,6 +101,31 @@ TEST(PredictionGain, IntervalHoldsNothingWhereThereIsNothing) {
         excluded += gain.low > 0.0 || gain.high < 0.0 ? 1 : 0;
     }
     EXPECT_LT(excluded, 25);
+}
+
+// 20 % removed, 5 % of it beyond doubt, in every run, and no channel worse: an improvement, until one of these is not so. A later
+// addition needs 3 % beyond doubt. A channel may rise by 2 %, and by a tenth of the 20 % removed: 4 %.
+TEST(PredictionGain, IsAnImprovementBeyondChanceAndAtTheCostOfNothing) {
+    const PredictionGain good{.removed = 0.20, .low = 0.05, .high = 0.3, .worst = 1.0, .in_every_fold = true};
+    EXPECT_TRUE(is_improvement(good));
+    EXPECT_TRUE(is_improvement(good, 0.03));
+    const auto changed = [&](const auto& change) {
+        PredictionGain one = good;
+        change(one);
+        return one;
+    };
+    EXPECT_FALSE(is_improvement(changed([](PredictionGain& one) { one.removed = 0.02; })));
+    EXPECT_FALSE(is_improvement(changed([](PredictionGain& one) { one.low = -0.01; })));
+    const PredictionGain small = changed([](PredictionGain& one) { one.low = 0.02; });
+    EXPECT_TRUE(is_improvement(small));
+    EXPECT_FALSE(is_improvement(small, 0.03));
+    EXPECT_TRUE(is_improvement(changed([](PredictionGain& one) { one.worst = 1.039; })));
+    EXPECT_FALSE(is_improvement(changed([](PredictionGain& one) { one.worst = 1.041; })));
+    EXPECT_FALSE(is_improvement(changed([](PredictionGain& one) { one.in_every_fold = false; })));
+    EXPECT_TRUE(is_improvement(changed([](PredictionGain& one) {
+        one.in_every_fold = false;
+        one.low = 0.11;  // too much to be one run's
+    })));
 }
 
 }  // namespace
