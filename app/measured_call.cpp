@@ -13,8 +13,11 @@
 #include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/messages.hpp"
+#include "diagnosis/compare/camera_rings.hpp"
+#include "diagnosis/observations/thinning.hpp"
 #include "input/studies/case_values.hpp"
 #include "post/page/html_page.hpp"
+#include "post/report/remark_text.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::app {
@@ -42,6 +45,53 @@ std::optional<input::ExperimentReading> read_measured(const MeasuredCall& call, 
         return std::nullopt;
     }
     return reading;
+}
+
+input::ExperimentReading read_corrected(const MeasuredCall& call, const input::MeshChange& mesh) {
+    input::ExperimentReading reading = input::read_experiment(
+        call.case_file, call.data_files(), input::ReadMode::measured, mesh, call.corrections.columns);
+    if (reading.experiment) {
+        diagnosis::mirror_inputs(*reading.experiment, call.corrections.mirrored);
+    }
+    return reading;
+}
+
+namespace {
+
+diagnosis::DataFaults find_faults(const MeasuredCall& call, const input::Experiment& as_taken) {
+    const auto read_again = [&](const diagnosis::DataCorrections& corrections) -> std::optional<input::Experiment> {
+        MeasuredCall corrected = call;
+        corrected.corrections = corrections;
+        std::optional<input::Experiment> again = read_corrected(corrected).experiment;
+        diagnosis::Remarks said_before;
+        return again ? std::optional(diagnosis::thinned(diagnosis::in_rings(std::move(*again), said_before)).experiment)
+                     : std::nullopt;
+    };
+    return diagnosis::find_data_faults(as_taken, read_again);
+}
+
+}  // namespace
+
+diagnosis::DataFaults correct_data(MeasuredCall& call, input::ExperimentReading& reading,
+                                   const input::Experiment& as_taken) {
+    diagnosis::DataFaults faults = find_faults(call, as_taken);
+    if (!faults.found.empty()) {
+        call.corrections = faults.corrections;
+        std::vector<std::string> warnings = std::move(reading.warnings);  // of the headings as they are
+        reading = read_corrected(call);
+        reading.warnings = std::move(warnings);
+    }
+    return faults;
+}
+
+std::vector<std::string> wrong_labels(const MeasuredCall& call, const input::Experiment& experiment) {
+    diagnosis::Remarks said_elsewhere;
+    const diagnosis::Thinned thinned = diagnosis::thinned(diagnosis::in_rings(experiment, said_elsewhere));
+    std::vector<std::string> sentences;
+    for (const diagnosis::DataFault& fault : find_faults(call, thinned.experiment).found) {
+        sentences.push_back(post::text_of(fault.remark));
+    }
+    return sentences;
 }
 
 bool has_free_parameters(const MeasuredCall& call, const input::Experiment& experiment) {

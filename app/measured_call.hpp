@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/output.hpp"
+#include "diagnosis/data_faults/data_faults.hpp"
 #include "diagnosis/detect/score_test_data.hpp"
 #include "input/runs/read_experiment.hpp"
 #include "post/report/prediction_journal.hpp"
@@ -33,6 +34,7 @@ struct MeasuredCall {
     bool fresh = false;  ///< of identify and diagnose
     bool no_report = false;
     bool quiet = false;
+    diagnosis::DataCorrections corrections{};  ///< of labels that were found to be wrong
 
     [[nodiscard]] std::vector<std::filesystem::path> data_files() const { return {data.begin(), data.end()}; }
 };
@@ -45,6 +47,17 @@ void add_measured_options(CLI::App& command, MeasuredCall& call, const char* cas
 /// @returns nothing when there are any
 [[nodiscard]] std::optional<input::ExperimentReading> read_measured(const MeasuredCall& call, const char* consequence,
                                                                     input::ReadMode mode = input::ReadMode::measured);
+
+/// Reads the case with its runs as they are corrected.
+[[nodiscard]] input::ExperimentReading read_corrected(const MeasuredCall& call, const input::MeshChange& mesh = {});
+
+/// Looks for wrong labels of the data: units, exchanged columns. Where there are some they stand in `call.corrections`, and what was
+/// read is read again without them. @param as_taken the experiment as it is going to be fitted
+[[nodiscard]] diagnosis::DataFaults correct_data(MeasuredCall& call, input::ExperimentReading& reading,
+                                                 const input::Experiment& as_taken);
+
+/// The sentences of what that finds, where the data are going to be taken as they are.
+[[nodiscard]] std::vector<std::string> wrong_labels(const MeasuredCall& call, const input::Experiment& experiment);
 
 /// Whether the case has any parameter to fit; reports it when not.
 [[nodiscard]] bool has_free_parameters(const MeasuredCall& call, const input::Experiment& experiment);

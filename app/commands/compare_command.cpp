@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,7 +67,13 @@ int compare(const MeasuredCall& call) {
     }
     comparison.grid_left_out = left_out;
     comparison.warnings = reading->warnings;
-    comparison.findings = reading->data_warnings;
+    const auto is_gross = [](const diagnosis::ComparedChannel& channel) {
+        return channel.figures.rmse > diagnosis::gross_misfit;
+    };
+    if (std::ranges::any_of(comparison.channels, is_gross)) {
+        comparison.findings = wrong_labels(call, *reading->experiment);
+    }
+    std::ranges::copy(reading->data_warnings, std::back_inserter(comparison.findings));
     std::vector<post::DrivenRun> driven;
     for (const auto& run : reading->experiment->runs) {
         driven.push_back({run.name, &run.problem});

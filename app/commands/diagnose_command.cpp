@@ -56,8 +56,7 @@ diagnosis::RunVerdicts diagnosed_by_run(const DiagnoseOptions& call, const input
 /// The same runs on a richer mesh, where the program can make one of the case's.
 std::optional<input::Experiment> on_layers(const MeasuredCall& call, const input::Experiment& experiment,
                                            double thickness) {
-    input::ExperimentReading reading =
-        input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.layers = thickness});
+    input::ExperimentReading reading = read_corrected(call, {.layers = thickness});
     const auto& problem = experiment.runs.front().problem;
     if (!reading.experiment || reading.experiment->parameters.size() != experiment.parameters.size() ||
         reading.experiment->runs.front().problem.channels.size() != problem.channels.size()) {
@@ -108,9 +107,7 @@ private:
 
     static std::optional<input::Experiment> refined(const DiagnoseOptions& call, const diagnosis::Thinned& thinned,
                                                     int finer) {
-        std::optional<input::Experiment> read =
-            input::read_experiment(call.case_file, call.data_files(), input::ReadMode::measured, {.finer = finer})
-                .experiment;
+        std::optional<input::Experiment> read = read_corrected(call, {.finer = finer}).experiment;
         if (read) {
             diagnosis::Remarks same;  // remarks that the case's own mesh has already
             read = diagnosis::in_rings(std::move(*read), same);
@@ -125,7 +122,7 @@ private:
     std::optional<double> thickness_;  ///< m, of the layers
 };
 
-int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
+int diagnose(DiagnoseOptions call, const TableOptions& of_table) {
     solver::install_stop_handlers();
     if (call.time_limit > 0.0) {
         solver::stop_after(call.time_limit);
@@ -133,7 +130,7 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
     if (input::is_validation_table(call.case_file)) {
         return diagnose_table(call, of_table);
     }
-    const std::optional<input::ExperimentReading> reading = read_measured(call, "nothing was diagnosed");
+    std::optional<input::ExperimentReading> reading = read_measured(call, "nothing was diagnosed");
     if (!reading || !has_free_parameters(call, *reading->experiment)) {
         return Exit::input_error;
     }
@@ -150,14 +147,23 @@ int diagnose(const DiagnoseOptions& call, const TableOptions& of_table) {
     }
     const solver::UseOfKeptResults kept(*journal);
     diagnosis::Remarks remarks;
-    const diagnosis::Thinned thinned = diagnosis::thinned(diagnosis::in_rings(*reading->experiment, remarks));
+    const auto as_taken = [&] {
+        remarks.clear();
+        return diagnosis::thinned(diagnosis::in_rings(*reading->experiment, remarks));
+    };
+    diagnosis::Thinned thinned = as_taken();
+    diagnosis::DataFaults faults = correct_data(call, *reading, thinned.experiment);
+    if (!faults.found.empty()) {
+        thinned = as_taken();
+    }
     const input::Experiment& experiment = thinned.experiment;
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     const OtherMeshes meshes(call, thinned);
     diagnosis::DiagnosisOptions options = meshes.options();
     SimulationCount count(call.quiet);
     options.progress = count.stages();
-    const diagnosis::Diagnosis result = diagnosis::diagnose(experiment, observations, options);
+    diagnosis::Diagnosis result = diagnosis::diagnose(experiment, observations, options);
+    diagnosis::take_data_faults(std::move(faults), experiment, result);
     diagnosis::RunVerdicts by_run;
     if (result.status.ok()) {
         by_run = diagnosed_by_run(call, experiment, result, options);

@@ -2,8 +2,10 @@
 // `tiretherm identify`: fits the [[parameter]] values of a case to measured runs, or with --plan predicts the intervals
 // before anything is measured.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -179,7 +181,8 @@ int identify(const IdentifyOptions& options) {
                                       .case_file = options.case_file,
                                       .data = options.data_files(),
                                       .warnings = reading->warnings,
-                                      .findings = reading->data_warnings};
+                                      .findings = wrong_labels(options, experiment)};
+    std::ranges::copy(reading->data_warnings, std::back_inserter(record.findings));
     const auto page = write_measured_page(
         options, *folder, post::identification_names(), "identify",
         [&](const std::filesystem::path& stage) {

@@ -95,12 +95,14 @@ void search_on(DiagnosisState& state, const RicherModel& richer) {
     state.change = richer.change;
 }
 
-/// Whether what is left of every channel is no more than its sensor's noise.
+/// Whether what is left of every channel is no more than its sensor's noise, as stated or as it plainly is.
 bool leaves_noise_alone(const ScoreTestData& score_data, const HeldOutErrors& out) {
     const Observations& observations = *score_data.observations;
     for (std::size_t c = 0; c < observations.channels.size(); ++c) {
-        const double floor = observations.stated[c] > 0.0 ? observations.stated[c] : 0.0;
-        if (floor == 0.0 || std::sqrt(out.mean_square(observations, c)) > swollen * floor) {
+        const double left = std::sqrt(out.mean_square(observations, c));
+        const double floor = is_plainly_noise(score_data, c) ? score_data.noise.channels[c].sigma : 0.0;
+        const double stated = std::max(0.0, observations.stated[c]);
+        if (!(stated > 0.0) || left > std::max(swollen * stated, as_large * floor)) {
             return false;
         }
     }

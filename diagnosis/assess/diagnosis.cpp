@@ -237,6 +237,26 @@ std::string_view word_of(Verdict verdict) {
     return "";
 }
 
+Verdict Diagnosis::overall() const {
+    if (data_faults.empty()) {
+        return verdict;
+    }
+    return verdict == Verdict::consistent    ? Verdict::named
+           : verdict == Verdict::cannot_tell ? Verdict::partial
+                                             : verdict;
+}
+
+void take_data_faults(DataFaults faults, const input::Experiment& experiment, Diagnosis& into) {
+    into.simulations += faults.simulations;
+    into.data_faults = std::move(faults.found);
+    if (!faults.corrections.mirrored.empty()) {  // no key of a case says it
+        into.extended_model.reset();
+    } else if (!into.data_faults.empty() && !into.extended_model && into.values.size() > 0) {
+        into.extended_model = experiment;
+        into.extended_values = into.values;
+    }
+}
+
 Diagnosis diagnose(const input::Experiment& experiment, const Observations& observations,
                    const DiagnosisOptions& choice) {
     const auto begin = std::chrono::steady_clock::now();

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "diagnosis/data_faults/data_faults.hpp"
 #include "diagnosis/detect/score_test_data.hpp"
 #include "diagnosis/noise/noise_estimate.hpp"
 #include "diagnosis/observations/observations.hpp"
@@ -207,8 +208,13 @@ struct Diagnosis {
     input::MeshChange extended_mesh{};  ///< of the case, where the extended model has a richer one
     Eigen::VectorXd extended_values;    ///< [n_parameters of extended_model] as fitted
     std::vector<solver::UserEffect> extended_user_effects{};  ///< user effects that the case itself lacks
+    std::vector<DataFault> data_faults{};  ///< that were corrected before: all else is of the data without them
     long simulations = 0;
     double seconds = 0.0;
+
+    /// The verdict with the faults of the data, which are causes: with them a model that agrees is `named`, and of a model that
+    /// nothing helps they are what was found.
+    [[nodiscard]] Verdict overall() const;
 };
 
 /// The same experiment on a richer mesh: what a coarse one gets wrong is a cause, too.
@@ -233,5 +239,9 @@ struct DiagnosisOptions {
 /// Fits the base model, estimates the discretisation error and the noise, and looks for what explains the rest.
 [[nodiscard]] Diagnosis diagnose(const input::Experiment& experiment, const Observations& observations,
                                  const DiagnosisOptions& choice = {});
+
+/// Adds the faults that were corrected in the data that were diagnosed. The extended case has the corrections, whether or not a
+/// cause stands beside them. @param experiment that was diagnosed
+void take_data_faults(DataFaults faults, const input::Experiment& experiment, Diagnosis& into);
 
 }  // namespace tiretherm::diagnosis

@@ -255,6 +255,7 @@ void report(const DiagnosisState& found, Diagnosis& into) {
     }
     if (found.verdict == Verdict::consistent) {
         find_limits(found, into);
+        into.reason = noise_above_sheet(found.score_data);
     }
     if (const FittedHypothesis* better = implausible(found)) {
         std::vector<std::string> names;

@@ -17,6 +17,9 @@ namespace tiretherm::diagnosis {
 /// What is left this many times above a sensor's data sheet holds more than noise.
 inline constexpr double swollen = 1.5;
 
+/// What is left counts for as large as the noise up to this ratio: what parameters take of a tenth of all samples.
+inline constexpr double as_large = 1.1;
+
 /// The strongest of the unknown sources.
 struct MostSignificantTerm {
     std::size_t term = 0;
@@ -53,6 +56,13 @@ void search_hypotheses(DiagnosisState& state);
 /// Whether the residuals hold more than the sensors' noise whatever the candidates explain: noise far above the data sheet's,
 /// or without one as slow as is allowed.
 [[nodiscard]] bool has_model_error(const ScoreTestData& score_data);
+
+/// Whether a channel's noise is plainly larger than the data sheet says: the fitted base leaves no more than the noise that is
+/// estimated beside all that any candidate could explain, and that is of short correlation.
+[[nodiscard]] bool is_plainly_noise(const ScoreTestData& score_data, std::size_t c);
+
+/// The channels whose noise is plainly above the data sheet; nothing where there is none.
+[[nodiscard]] std::optional<Remark> noise_above_sheet(const ScoreTestData& score_data);
 
 /// Searches causes by what they predict, on richer meshes as well, and takes what is found as the verdict.
 void search_beside_model_error(DiagnosisState& state, const std::vector<RicherModel>& richer);

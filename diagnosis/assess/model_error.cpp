@@ -19,6 +19,8 @@ constexpr double least_error = 0.5;
 /// Blocks widen an interval by this factor at most where nothing else speaks of an error of the model: where few of them tell
 /// what a number is, their scatter is uncertain itself.
 constexpr double widest_undoubted = 2.0;
+/// Of the longest run: noise of a longer correlation may be an error of the model. A third of what noise is allowed to have.
+constexpr double short_correlation = 0.1 / 3.0;
 
 std::vector<double> samples_of(const Observations& observations) {
     std::vector<double> samples(observations.channels.size(), 0.0);
@@ -28,6 +30,28 @@ std::vector<double> samples_of(const Observations& observations) {
         }
     }
     return samples;
+}
+
+/// s
+double longest_run(const Observations& observations) {
+    double longest = 0.0;
+    for (const std::vector<double>& times : observations.times) {
+        longest = std::max(longest, times.empty() ? 0.0 : times.back() - times.front());
+    }
+    return longest;
+}
+
+/// Standard deviation of an estimated sigma, over it: of n samples 1 / sqrt(2 n), where correlation leaves fewer of their squares,
+/// whose correlations are those of the samples squared (Bayley and Hammersley 1946).
+double relative_deviation(const Noise& noise, const Observations& observations, std::size_t c) {
+    const double interval = median_interval(observations.blocks, static_cast<int>(c));
+    double times = 1.0;
+    if (noise.correlation_time > 0.0 && interval > 0.0) {
+        const double share = 1.0 - noise.white_share;
+        const double square = std::exp(-2.0 * interval / noise.correlation_time);
+        times += 2.0 * share * share * square / (1.0 - square);
+    }
+    return std::sqrt(times / (2.0 * samples_of(observations)[c]));
 }
 
 /// Fits that stand beside the best one where these data leave the model in doubt: those of the other members of the set, and
@@ -60,13 +84,36 @@ std::vector<const Refit*> other_fits(const DiagnosisState& state, bool error) {
 
 }  // namespace
 
+bool is_plainly_noise(const ScoreTestData& score_data, std::size_t c) {
+    const Observations& observations = *score_data.observations;
+    const Noise& noise = score_data.noise.channels[c];
+    const HeldOutErrors all{.left = observations.measured - score_data.base.simulated};
+    const double left = std::sqrt(all.mean_square(observations, c));
+    return samples_of(observations)[c] >= many && left < as_large * noise.sigma &&
+           noise.correlation_time < short_correlation * longest_run(observations);
+}
+
+std::optional<Remark> noise_above_sheet(const ScoreTestData& score_data) {
+    const Observations& observations = *score_data.observations;
+    const solver::Problem& problem = score_data.experiment->runs.front().problem;
+    Remarks channels;
+    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
+        const Noise& noise = score_data.noise.channels[c];
+        const double stated = observations.stated[c];
+        if (stated > 0.0 && noise.sigma > swollen * stated && is_plainly_noise(score_data, c)) {
+            const std::string unit(solver::unit_of(problem.channels[observations.channels[c]].quantity));
+            const double ratio = noise.sigma / stated;
+            const double half = 1.96 * ratio * relative_deviation(noise, observations, c);
+            channels.push_back(remark::noise_of_channel(observations.names[c], noise.sigma, unit, ratio, ratio - half,
+                                                        ratio + half, stated));
+        }
+    }
+    return channels.empty() ? std::nullopt : std::optional(remark::noise_alone(std::move(channels)));
+}
+
 bool has_model_error(const ScoreTestData& score_data) {
     const Observations& observations = *score_data.observations;
     const std::vector<double> samples = samples_of(observations);
-    double longest_run = 0.0;
-    for (const std::vector<double>& times : observations.times) {
-        longest_run = std::max(longest_run, times.empty() ? 0.0 : times.back() - times.front());
-    }
     for (std::size_t c = 0; c < observations.channels.size(); ++c) {
         const Noise& noise = score_data.noise.channels[c];
         if (samples[c] < many) {
@@ -74,7 +121,8 @@ bool has_model_error(const ScoreTestData& score_data) {
         }
         const double stated = observations.stated[c];
         const bool as_slow_as_allowed = noise.correlation_time > 0.0 &&
-                                        noise.correlation_time > 0.99 * 0.1 * longest_run && noise.white_share < 0.5;
+                                        noise.correlation_time > 0.99 * 0.1 * longest_run(observations) &&
+                                        noise.white_share < 0.5;
         if (stated > 0.0 ? noise.sigma > swollen * stated : as_slow_as_allowed) {
             return true;
         }
@@ -96,7 +144,10 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
         const double stated = observations.stated[c];
         // Where no data sheet says it, what is new in every sample is the sensor's.
         const Noise& noise = score_data.noise.channels[c];
-        const double floor = stated > 0.0 ? stated : noise.sigma * std::sqrt(noise.white_share);
+        const bool is_noise_alone = state.verdict == Verdict::consistent && is_plainly_noise(score_data, c);
+        const double floor = is_noise_alone ? std::max(stated, noise.sigma)
+                             : stated > 0.0 ? stated
+                                            : noise.sigma * std::sqrt(noise.white_share);
         const double beyond = std::sqrt(std::max(0.0, square - floor * floor));
         if (beyond > least_error * floor && std::isfinite(beyond) && doubted) {
             const double seconds = time_scale(left, observations.blocks, static_cast<int>(c));

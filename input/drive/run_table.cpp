@@ -137,10 +137,7 @@ std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable&
     for (const fs::path& file : data) {
         RunTable run = like;
         run.file = file.lexically_normal();
-        const auto same_stem = [&](const fs::path& other) { return other.stem() == file.stem(); };
-        const bool alone = std::count_if(data.begin(), data.end(), same_stem) == 1;
-        const std::string folder = run.file->parent_path().filename().string();
-        run.name = (alone || folder.empty() ? "" : folder + "_") + run_name(file, laps_of(run));
+        run.name = name_beside(data, file, laps_of(run));
         if (std::any_of(runs.begin(), runs.end(), [&](const RunTable& r) { return r.name == run.name; })) {
             const SourceLocation place{.file = errors.add_file(run.file->generic_string(), "")};
             errors.add(place, fmt::format("a second file of a run \"{}\"", run.name),
@@ -153,6 +150,22 @@ std::vector<RunTable> runs_of(const std::vector<fs::path>& data, const RunTable&
 }
 
 }  // namespace
+
+std::string name_beside(const std::vector<fs::path>& data, const fs::path& file, std::string_view laps) {
+    const auto same_stem = [&](const fs::path& other) { return other.stem() == file.stem(); };
+    const bool alone = std::count_if(data.begin(), data.end(), same_stem) == 1;
+    const std::string folder = file.lexically_normal().parent_path().filename().string();
+    return (alone || folder.empty() ? "" : folder + "_") + run_name(file, laps);
+}
+
+std::string name_of_run_table(const TomlValue& table) {
+    if (const TomlValue* name = table.find("name")) {
+        return name->text;
+    }
+    const TomlValue* file = table.find("file");
+    const TomlValue* laps = table.find("laps");
+    return file == nullptr ? "" : run_name(file->text, laps != nullptr ? laps->text : "");
+}
 
 std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_name,
                                       const std::vector<fs::path>& data) {

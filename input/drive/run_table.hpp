@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -102,5 +103,12 @@ struct RunTable {
 /// place, with all keys of [data]; or, with neither, the case itself. With [[corner]] each of them once for each corner.
 [[nodiscard]] std::vector<RunTable> read_run_tables(TomlTable& root, const std::string& case_name,
                                                     const std::vector<std::filesystem::path>& data);
+
+/// What the run of a file beside the case is called: after the file, and after its folder where another has the same name.
+/// @param data all such files  @param laps as [data] has them; empty: the whole file
+[[nodiscard]] std::string name_beside(const std::vector<std::filesystem::path>& data, const std::filesystem::path& file,
+                                      std::string_view laps);
+/// What the run of a [[run]] table is called; empty where neither a name nor a file says it.
+[[nodiscard]] std::string name_of_run_table(const TomlValue& table);
 
 }  // namespace tiretherm::input

@@ -69,14 +69,14 @@ struct Size {
     double low = 0.0;  ///< smaller is suspicious where `matters`
     double high = no_limit;
     bool (*matters)(const Recording& recording) = always;
-    std::array<std::string_view, 4> units{};
+    std::array<std::string_view, 4> units{};  ///< the likeliest first
 };
 constexpr std::array sizes{
-    Size{"speed", 45.0 * km_h, 70.0, is_heated, {"m/s", "km/h"}},
-    Size{"vertical_load", 200.0, 4e4, rolls, {"kN", "N", "kgf"}},
-    Size{"lateral_force", 30.0, 4e4, slips, {"kN", "N", "kgf"}},
+    Size{"speed", 45.0 * km_h, 70.0, is_heated, {"m/s", "km/h", "mph"}},
+    Size{"vertical_load", 200.0, 4e4, rolls, {"kN", "N", "kgf", "lbf"}},
+    Size{"lateral_force", 30.0, 4e4, slips, {"kN", "N", "kgf", "lbf"}},
     Size{"slip_angle", 0.3 * degree, 0.4, corners, {"rad", "deg"}},
-    Size{"camber", 0.0, 20.0 * degree, always, {"deg"}},
+    Size{"camber", 0.0, 20.0 * degree, always, {"deg", "rad"}},
     Size{"slip_ratio", 0.0, 2.0, always, {"%"}},
     Size{"inflation_pressure", 0.5 * bar, 7.0 * bar, always, {"bar", "kPa", "psi", "Pa"}},
     Size{"laser_power", 0.0, 50.0, always, {"mW"}},
@@ -93,6 +93,7 @@ constexpr std::array spans{Span{"air_temperature", zero_celsius - 40.0, zero_cel
                            Span{"", zero_celsius - 50.0, zero_celsius + 200.0}};
 /// What may be meant, the likeliest first: numbers of 300 are rather kelvin than degrees Fahrenheit.
 constexpr std::array<std::string_view, 3> temperature_units{"K", "degC", "degF"};
+constexpr double wider = 1.5;         ///< usual sizes as bounds of what a column may be in another unit
 constexpr double agreeing = 3.0;      ///< K: a tire that starts with the air
 constexpr double disagreeing = 20.0;  ///< K
 
@@ -195,6 +196,48 @@ std::string find_unit_slip(const Recording& recording, const RecordedColumn& col
         }
     }
     return {};
+}
+
+ReadColumn with_other_units(const RecordedColumn& column) {
+    ReadColumn read{.name = column.name,
+                    .heading = column.heading,
+                    .unit = column.unit,
+                    .quantity = std::string(column.si),
+                    .line = column.line,
+                    .is_input = column.is_input};
+    // The same number under two units: from what was read back to the number, and from there to the other unit's amount.
+    const auto add = [&](std::string_view unit, const auto& is_usual) {
+        if (const std::optional<Conversion> as = in_unit(column, unit)) {
+            const Conversion& now = column.conversion;
+            const double factor = as->factor / now.factor;
+            const Conversion from_read{.factor = factor, .offset = as->offset - factor * now.offset};
+            if (is_usual(from_read)) {
+                read.others.push_back({.name = std::string(unit), .from_read = from_read});
+            }
+        }
+    };
+    if (column.value.empty()) {
+        return read;
+    }
+    for (const Size& size : sizes) {
+        for (const std::string_view unit :
+             column.is_input&& column.name == size.name ? size.units : decltype(size.units){}) {
+            add(unit, [&](const Conversion& as) {
+                const double largest = std::abs(as.to_si(column.largest()));
+                return largest > size.low / wider && largest < size.high * wider;
+            });
+        }
+    }
+    for (const Span& span : spans) {
+        if (column.is_temperature() && (column.is_input ? column.name == span.name : span.name.empty())) {
+            for (const std::string_view unit : temperature_units) {
+                add(unit, [&](const Conversion& as) {
+                    return as.to_si(column.low()) >= span.low && as.to_si(column.high()) <= span.high;
+                });
+            }
+        }
+    }
+    return read;
 }
 
 }  // namespace tiretherm::input

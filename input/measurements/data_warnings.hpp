@@ -61,6 +61,7 @@ struct RecordedColumn {
     std::string unit;            ///< as written
     std::string_view si;         ///< the unit of `value`
     Conversion conversion;       ///< from `unit` to `si`
+    int line = 0;                ///< of the heading; 0: the file has no lines
     bool is_input = false;       ///< otherwise what a sensor read
     std::size_t series = 0;      ///< of a sensor: index into MeasuredRun::series
     solver::SharedSamples time;  ///< s
@@ -143,6 +144,8 @@ void leave_out_unusable(const Recording& recording, MeasuredRun& run);
 [[nodiscard]] const std::vector<Outlier>& outliers_of(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_outliers(const Recording& recording, const RecordedColumn& column);
 [[nodiscard]] std::string find_unit_slip(const Recording& recording, const RecordedColumn& column);
+/// The column with all units in which its numbers would have a usual size.
+[[nodiscard]] ReadColumn with_other_units(const RecordedColumn& column);
 [[nodiscard]] std::string find_unusual(const Recording& recording, const RecordedColumn& column);
 
 /// To three digits, without an exponent where it can be helped: 4320, 27.8, 0.0421.

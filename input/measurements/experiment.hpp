@@ -9,6 +9,7 @@
 
 #include "input/laps/laps.hpp"
 #include "input/laps/repeated_lap.hpp"
+#include "input/measurements/read_column.hpp"
 #include "physics/camera.hpp"
 #include "solver/sensitivity/free_parameter.hpp"
 
@@ -89,6 +90,7 @@ struct MeasuredRun {
     std::vector<MeasuredSeries> series;
     std::vector<MeasuredNumber> numbers;
     std::vector<UnusedSignal> unused;
+    std::vector<ReadColumn> columns{};  ///< of the file that the model uses, without those of its clock
     std::vector<MeasuredFrames> frames;
     std::vector<Lap> laps{};  ///< of the file, those that lie in the run
     RepeatedLap repeated{};   ///< that goes before it

@@ -23,15 +23,6 @@ using toml_text::table_value;
 using toml_text::text_value;
 using toml_text::texts_value;
 
-/// A value of the case as a value in braces or brackets, whether or not it had a heading of its own.
-TomlValue in_one_line(TomlValue value) {
-    value.in_braces = true;
-    for (TomlValue& item : value.items) {
-        item.in_braces = true;
-    }
-    return value;
-}
-
 /// The values that differ from corner to corner.
 void lay_corners_over(TomlValue& over, const Overlay& overlay) {
     std::vector<TomlValue> corners;
@@ -55,18 +46,15 @@ void lay_corners_over(TomlValue& over, const Overlay& overlay) {
 }
 
 /// What a fitted case says of one run: its name where its file does not give it, its file, and how that is read.
-TomlValue run_table_of(const OverlaidRun& run, const TomlValue* data, const fs::path& folder) {
-    TomlValue table = table_value();
-    table.in_braces = false;
+TomlValue run_table_of(const OverlaidRun& run, const Overlay& overlay, const TomlValue& original,
+                       const fs::path& folder) {
     const std::string& name = run.corner.empty() ? run.name : run.recording;
-    // A list in which a name is missing takes the place of the original's runs instead of joining them.
-    if (run.file.empty() || name != run.file.stem().string()) {
-        table.set("name", text_value(name));
-    }
-    if (!run.file.empty()) {
-        table.set("file", toml_text::path_value(run.file, folder));
-        for (const Entry& entry : data != nullptr ? data->entries : std::vector<Entry>{}) {
-            table.set(entry.key, in_one_line(entry.value));
+    TomlValue table = run_table_of_file(name, run.file, original.find("data"), folder);
+    const TomlValue* list = original.find("run");
+    const TomlValue* own = list != nullptr && run.file.empty() ? list->find_named(name) : nullptr;
+    for (const ColumnChange& change : overlay.columns) {
+        if (change.run.empty() ? own != nullptr && says_column(*own, change) : change.run == name) {
+            change_column(table, change);
         }
     }
     return table;
@@ -74,7 +62,6 @@ TomlValue run_table_of(const OverlaidRun& run, const TomlValue* data, const fs::
 
 /// The runs that start at fitted temperatures, and those whose files were given beside the case.
 void lay_runs_over(TomlValue& over, const Overlay& overlay, const TomlValue& original, const fs::path& folder) {
-    const TomlValue* data = original.find("data");  // how columns of files beside the case are read
     std::set<std::size_t> moved;
     for (const solver::FreeParameter& number : overlay.parameters) {
         if (is_initial(number)) {
@@ -86,12 +73,12 @@ void lay_runs_over(TomlValue& over, const Overlay& overlay, const TomlValue& ori
     for (std::size_t i = 0; i < overlay.runs.size(); ++i) {
         const OverlaidRun& run = overlay.runs[i];
         const bool starts_elsewhere = moved.contains(i);
-        if (run.file.empty() && !starts_elsewhere) {
+        if (run.file.empty() && !starts_elsewhere && overlay.columns.empty()) {
             continue;
         }
         const bool is_same_run = last != nullptr && !run.corner.empty() && last->recording == run.recording;
         if (!is_same_run) {
-            runs.push_back(run_table_of(run, data, folder));
+            runs.push_back(run_table_of(run, overlay, original, folder));
         }
         last = &run;
         if (!starts_elsewhere) {
@@ -128,9 +115,20 @@ void write_head(CaseWriter& writer, const Overlay& overlay) {
 
 std::string overlay_text(const Overlay& overlay, const fs::path& folder) {
     InputErrors errors;
-    const TomlValue original = read_document(overlay.original, errors).value_or(TomlValue{});
+    TomlValue original = read_document(overlay.original, errors).value_or(TomlValue{});
     TomlValue over = table_value();
     over.set("include", list_value({toml_text::path_value(overlay.original, folder)}));
+    for (const ColumnChange& change : overlay.columns) {
+        if (change.run.empty()) {
+            TomlValue& data = original.at("data");
+            if (data.kind != TomlValue::Kind::table) {
+                data = table_value();
+                data.in_braces = false;
+            }
+            change_column(data, change);
+            over.set("data", data);
+        }
+    }
     if (const TomlValue* mesh = original.find("mesh");
         mesh != nullptr && (overlay.mesh.layers > 0.0 || overlay.mesh.finer > 1)) {
         over.set("unset", toml_text::texts_value({"mesh"}));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "input/parameters/column_change.hpp"
 #include "input/parameters/mesh_change.hpp"
 #include "solver/sensitivity/free_parameter.hpp"
 #include "solver/user_effect.hpp"
@@ -32,7 +33,8 @@ struct Overlay {
     std::vector<std::string> remarks{};  ///< lines to stand at the top
     /// Effects of the user's own that `fitted` has and `before` lacks: what they follow stands nowhere else.
     std::vector<solver::UserEffect> user_effects{};
-    MeshChange mesh{};  ///< of the original's mesh
+    MeshChange mesh{};                    ///< of the original's mesh
+    std::vector<ColumnChange> columns{};  ///< that were read otherwise than the original says
 };
 
 /// The case with its fitted values as a TOML text: it includes the original and lays over it what has changed, each

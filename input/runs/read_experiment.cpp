@@ -26,7 +26,7 @@ void CaseFindings::take(const InputErrors& said) {
 }
 
 ExperimentReading read_experiment(const std::filesystem::path& file, const std::vector<std::filesystem::path>& data,
-                                  ReadMode mode, const MeshChange& change) {
+                                  ReadMode mode, const MeshChange& change, const std::vector<ColumnChange>& columns) {
     InputErrors errors;
     ExperimentReading reading;
     Runs runs;
@@ -35,7 +35,9 @@ ExperimentReading read_experiment(const std::filesystem::path& file, const std::
         if (TomlValue* mesh = document->find("mesh")) {
             change_mesh(*mesh, change);
         }
-        runs = read_runs(*document, case_name(file), data, mode, errors);
+        std::vector<std::filesystem::path> files = data;
+        change_columns(*document, columns, files);
+        runs = read_runs(*document, case_name(file), files, mode, errors);
         refuse_petsc(*document, errors);
         const bool has_runs = mode == ReadMode::planned || !data.empty() || document->find("run") != nullptr;
         if (!has_runs && errors.count() == 0 && runs.experiment.runs.front().numbers.empty()) {

@@ -11,6 +11,7 @@
 #include "input/materials/ply_summary.hpp"
 #include "input/measurements/experiment.hpp"
 #include "input/model/size_limits.hpp"
+#include "input/parameters/column_change.hpp"
 #include "input/parameters/mesh_change.hpp"
 #include "input/text/input_error.hpp"
 
@@ -44,8 +45,10 @@ enum class ReadMode : std::uint8_t {
 /// Reads a case with its [[run]] tables and [[parameter]] tables, all files that they mention included.
 /// @param data files of runs that take the place of the case's own; their columns have standard names
 /// @param change of the mesh, to see what the grid's error is
+/// @param columns that are read otherwise than the case and the files say
 [[nodiscard]] ExperimentReading read_experiment(const std::filesystem::path& file,
                                                 const std::vector<std::filesystem::path>& data = {},
-                                                ReadMode mode = ReadMode::measured, const MeshChange& change = {});
+                                                ReadMode mode = ReadMode::measured, const MeshChange& change = {},
+                                                const std::vector<ColumnChange>& columns = {});
 
 }  // namespace tiretherm::input

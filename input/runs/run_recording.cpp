@@ -13,8 +13,10 @@ namespace {
 
 /// A column by its heading, with no values yet.
 RecordedColumn recorded_column(const RunFile& file, const UsedColumn& column, std::string_view si) {
-    const Heading& heading = file.file.heads()[static_cast<std::size_t>(column.column)].heading;
+    const ColumnHead& head = file.file.heads()[static_cast<std::size_t>(column.column)];
+    const Heading& heading = head.heading;
     RecordedColumn recorded;
+    recorded.line = head.place.line;
     recorded.name = column.name;
     recorded.heading = heading.name;
     recorded.unit = heading.unit.value_or("");

@@ -165,6 +165,7 @@ void read_columns(RunFile& file, bool has_car, const MeasuredRun* beside, RunBei
                          [&](const Lap& lap) { return lap.start < problem.settings.end && lap.end > from; });
     Recording recording = recording_of(file, *reading.inputs, problem, run);
     recording.keep_suspicious = reading.table.keys->keeps_suspicious();
+    std::ranges::transform(recording.columns, std::back_inserter(run.columns), with_other_units);
     for (std::string& sentence : find_suspicious(recording)) {
         of_data.push_back({.file = run.file, .corner = run.corner, .what = std::move(sentence)});
     }

@@ -10,6 +10,7 @@
 #include "post/diagnosis/diagnosis_charts.hpp"
 #include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/report/number_text.hpp"
+#include "post/report/remark_text.hpp"
 #include "post/report/table.hpp"
 
 namespace tiretherm::post {
@@ -123,6 +124,21 @@ ReportSection causes_section(const Diagnosis& result) {
 
 Value causes_data(const Diagnosis& result) {
     Value::List list;
+    for (const DataFault& fault : result.data_faults) {
+        Value::List columns;
+        for (const LabelledColumn& column : fault.what.columns) {
+            columns.push_back(column.name);
+        }
+        list.push_back({{"id", id_of(fault)},
+                        {"channel", Value()},
+                        {"columns", columns},
+                        {"unit", text_or_null(fault.what.unit)},
+                        {"runs", fault.scope.recordings},
+                        {"rms_before", fault.before},
+                        {"rms_after", fault.after},
+                        {"in_set", true},
+                        {"meaning", text_of(fault.remark)}});
+    }
     for (const Cause& cause : result.causes) {
         list.push_back({{"id", cause.id},
                         {"channel", text_or_null(cause.channel)},
@@ -142,9 +158,16 @@ Value causes_data(const Diagnosis& result) {
 }
 
 Value set_data(const Diagnosis& result) {
+    Value::List of_data;
+    for (const DataFault& fault : result.data_faults) {
+        of_data.push_back(id_of(fault));
+    }
+    if (!of_data.empty() && result.hypotheses.empty()) {
+        return Value::List{of_data};
+    }
     Value::List set;
     for (const std::vector<std::size_t>& hypothesis : result.hypotheses) {
-        Value::List ids;
+        Value::List ids = of_data;
         for (const std::size_t cause : hypothesis) {
             ids.push_back(result.causes[cause].id);
         }

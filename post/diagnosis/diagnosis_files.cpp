@@ -90,6 +90,10 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
     for (std::string& line : lines_of(reason_of(record))) {
         remarks.push_back(std::move(line));
     }
+    std::vector<input::ColumnChange> columns;
+    for (const DataFault& fault : record.result.data_faults) {
+        std::ranges::copy(fault.changes, std::back_inserter(columns));
+    }
     return input::overlay_text({.original = record.case_file,
                                 .before = &record.experiment.runs.front().problem,
                                 .fitted = &problems.front(),
@@ -97,7 +101,8 @@ std::string extended_toml(const DiagnosisRecord& record, const std::filesystem::
                                 .runs = std::move(runs),
                                 .remarks = std::move(remarks),
                                 .user_effects = record.result.extended_user_effects,
-                                .mesh = record.result.extended_mesh},
+                                .mesh = record.result.extended_mesh,
+                                .columns = std::move(columns)},
                                directory);
 }
 

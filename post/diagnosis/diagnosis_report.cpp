@@ -259,7 +259,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     const std::vector<std::string> not_driven = input::not_driven(record.experiment);
     report.lead.insert(report.lead.begin(), not_driven.begin(), not_driven.end());
     report.data = {{"case", record.case_file.generic_string()},
-                   {"verdict", word_of(result.verdict)},
+                   {"verdict", word_of(result.overall())},
                    {"causes", causes_data(result)},
                    {"set", set_data(result)},
                    {"unknown", result.unknown ? unknown_data(*result.unknown, record.experiment) : Value()},

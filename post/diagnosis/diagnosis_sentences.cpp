@@ -296,7 +296,10 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
     return said;
 }
 
-std::string reason_of(const DiagnosisRecord& record) {
+namespace {
+
+/// What the verdict of the data as they were read says.
+std::string verdict_sentence(const DiagnosisRecord& record) {
     const Diagnosis& diagnosis = record.result;
     switch (diagnosis.verdict) {
         case Verdict::named:
@@ -306,12 +309,37 @@ std::string reason_of(const DiagnosisRecord& record) {
         case Verdict::unknown:
             return unknown(diagnosis, record.experiment);
         case Verdict::consistent:
-            return "The model, its free parameters fitted, agrees with these data within their noise; whatever else "
-                   "acts is smaller than its upper limit.";
+            return fmt::format(
+                "The model, its free parameters fitted, agrees with these data within their noise; whatever "
+                "else acts is smaller than its upper limit.{}",
+                diagnosis.reason ? " " + text_of(*diagnosis.reason) : "");
         case Verdict::cannot_tell:
             return cannot_tell(diagnosis);
         case Verdict::partial:
             return partial(record);
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string reason_of(const DiagnosisRecord& record) {
+    std::string faults;
+    for (const DataFault& fault : record.result.data_faults) {
+        faults += text_of(fault.remark) + " ";
+    }
+    return faults.empty() ? verdict_sentence(record)
+                          : fmt::format("{}All else is of the data read so. {}", faults, verdict_sentence(record));
+}
+
+std::string id_of(const DataFault& fault) {
+    switch (fault.what.kind) {
+        case Relabelling::Kind::unit:
+            return "unit";
+        case Relabelling::Kind::exchange:
+            return "channel_swap";
+        case Relabelling::Kind::mirror:
+            return "mirrored_inputs";
     }
     return "";
 }

@@ -34,4 +34,7 @@ namespace tiretherm::post {
 /// The verdict as a thermal engineer would say it.
 [[nodiscard]] std::string reason_of(const DiagnosisRecord& record);
 
+/// What a fault of the data is called among causes: "unit", "channel_swap".
+[[nodiscard]] std::string id_of(const diagnosis::DataFault& fault);
+
 }  // namespace tiretherm::post

@@ -138,6 +138,23 @@ const std::array wordings{
     words(remark::no_effect_reads_it, "no effect that is on reads it"),
     words(remark::others_would_read_it, "no effect that is on reads it; {} would"),
     words(remark::left_range, "{} in {} of {} runs"),
+    words(remark::noise_alone, "Sensors are noisier than stated: {}; nothing in these data asks for a cause."),
+    words(remark::noise_of_channel,
+          "the noise of {0} is {1:.2g} {2}, {3:.1f} times ({4:.1f} to {5:.1f}) the {6:.2g} {2} of the data sheet"),
+    words(remark::unit_is_other,
+          "The numbers of {0} look like {1} under a heading of {2}: read so, the rms of all temperatures after the fit "
+          "falls from {3:.2g} to {4:.2g} K{5}. Correct the heading of {6} in {7}, or write units = {{ {8} }} in {9}."),
+    words(remark::parameters_come_back,
+          ", and the free parameters come back from {:.1f} to {:.1f} standard deviations of what was known of them"),
+    words(
+        remark::columns_are_exchanged,
+        "{0} look exchanged (swapped): read the other way round, the rms of all temperatures after the fit falls from "
+        "{1:.2g} to {2:.2g} K. Correct the headings of {3} in {4}, or write columns = {{ {5} }} in {6}."),
+    words(
+        remark::inputs_are_mirrored,
+        "{0} in {1} look mirrored, those of the wheel on the other side: with its load, as much below the mean as this "
+        "one's is above, the rms of all temperatures after the fit falls from {2:.2g} to {3:.2g} K. Give the case the "
+        "inputs of the wheel whose temperatures were measured; until then there is no extended case."),
 };
 static_assert(std::tuple_size_v<decltype(wordings)> == static_cast<std::size_t>(RemarkCode::count),
               "a remark has no words");
