@@ -74,14 +74,14 @@ def exam_dirty(entry, sources, run):
     return found
 
 
-def exam_second(entry, sources, run):
-    """Figures of the second exam on dirty data, whose sets are made on the way."""
+def exam_sets(entry, sources, run):
+    """Figures of an exam on dirty data whose sets a `maker` makes on the way."""
     script, *words = entry["record"].split()
-    folder = (ROOT / script).parent
-    sets, result = sources.scratch / "second_sets", sources.scratch / "exam_second.json"
-    run([str(folder / "second_dirty_exam.py"), *words, "--out", str(sets)], ROOT)
-    run([str(ROOT / script), *words, "--program", str(sources.program), "--benches", str(ROOT / "cases" / "practice"),
-         "--sets", str(sets), "--out", str(sources.scratch / "second_scores"), "--json", str(result)], ROOT)
+    place = sources.scratch / pathlib.Path(entry["maker"]).stem
+    result = place / "figures.json"
+    run([str(ROOT / entry["maker"]), *words, "--out", str(place / "sets")], ROOT)
+    run([str(ROOT / script), *words, "--jobs", "2", "--program", str(sources.program), "--benches",
+         str(ROOT / "cases" / "practice"), "--sets", str(place / "sets"), "--out", str(place / "scores"), "--json", str(result)], ROOT)
     return json.loads(result.read_text())
 
 

@@ -2,19 +2,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Diagnoses sets of dirty data with the program and compares its answers with theirs.
 
-    score.py --program tiretherm --benches cases/practice --sets FOLDER --first 0 --last 23 --out SCORES
+    score.py --program tiretherm --benches cases/practice --sets FOLDER --first 0 --last 23 --out SCORES [--jobs 2] [--json FILE]
 
-Each set: `diagnose` of its base, `identify` of the base with correlated and with white noise, `compare` of both and of the extended
+The sets are those of the second or of the third exam. Each set: `diagnose` of its base, `identify` of the base with correlated and with white noise, `compare` of both and of the extended
 case on the run that was kept back. SCORES/scores.json keeps what was measured, so that a call goes on where one was interrupted;
 what was found is judged anew by each call. A * stands for a true cause that was found by id, ~ by its place or in words.
 """
 import argparse
+import concurrent.futures
 import json
+import os
 import pathlib
 import re
-import resource
 import statistics
 import subprocess
+import tempfile
 
 CPU_LIMIT = 200                                  # s of a set's diagnosis, then it is ended and counted
 WORSE = 1.02                                     # a prediction is worse from this ratio of rms on
@@ -22,19 +24,21 @@ VISIBLE = 0.1                                    # K, below which nobody is aske
 TIMING_IDS = {"sensor_lag", "clock_delay", "input_delay", "clock_rate"}
 
 
-def limit_cpu():
-    """In the child: no more than CPU_LIMIT."""
-    resource.setrlimit(resource.RLIMIT_CPU, (CPU_LIMIT, CPU_LIMIT + 5))
-
-
 def run_program(arguments, log):
-    """Runs the program; returns exit code, CPU seconds and what it printed. What goes wrong is written to `log`."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([str(word) for word in arguments], capture_output=True, text=True, preexec_fn=limit_cpu, check=False)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if done.returncode != 0:
-        log.write(f"exit {done.returncode}: {' '.join(str(word) for word in arguments)}\n{done.stderr[:2000]}\n")
-    return done.returncode, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout
+    """Runs the program for CPU_LIMIT at most; returns exit code, CPU seconds and what it printed. What goes wrong is written to
+    `log`."""
+    words = [str(word) for word in arguments]
+    limited = ["/bin/sh", "-c", f'ulimit -t {CPU_LIMIT} && exec "$@"', "sh", *words]
+    with tempfile.TemporaryFile("w+") as told:
+        process = subprocess.Popen(limited, stdout=subprocess.PIPE, stderr=told, stdin=subprocess.DEVNULL, text=True)
+        text = process.stdout.read()
+        process.stdout.close()
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode != 0:
+            told.seek(0)
+            log.write(f"exit {process.returncode}: {' '.join(words)}\n{told.read(2000)}\n")
+    return process.returncode, used.ru_utime + used.ru_stime, text
 
 
 def write_bases(folder, bench, keep_candidates):
@@ -203,6 +207,8 @@ def figures(rows):
     }
     return {
         "sets": len(rows),
+        "first": rows[0]["number"],
+        "last": rows[-1]["number"],
         "not_answered": sum(not row["answered"] for row in rows),
         "shares": {key: [sum(bool(hit) for hit in hits[key]), len(hits[key])] for key in SHARES},
         "removed_median": statistics.median([share for _, share in removed] or [0]),
@@ -232,6 +238,7 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True, help="where results go")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--last", type=int, default=23)
+    parser.add_argument("--jobs", type=int, default=1, help="sets at a time")
     parser.add_argument("--json", type=pathlib.Path, help="file for the figures of all sets")
     parser.add_argument("--keep-candidates", action="store_true", help="only the candidates that the bench names")
     options = parser.parse_args()
@@ -239,10 +246,11 @@ def main():
     kept = options.out / "scores.json"
     rows = {row["number"]: row for row in json.loads(kept.read_text())} if kept.exists() else {}
     numbers = range(options.first, options.last + 1)
-    with (options.out / "errors.log").open("a") as log:
+    with (options.out / "errors.log").open("a") as log, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        measured = {number: pool.submit(measure_set, options, number, log) for number in numbers if number not in rows}
         for number in numbers:
-            if number not in rows:
-                rows[number] = measure_set(options, number, log)
+            if number in measured:
+                rows[number] = measured[number].result()
                 kept.write_text(json.dumps(list(rows.values()), indent=1) + "\n")
             print(line(judge_set(options, rows[number])), flush=True)
     found = figures([judge_set(options, rows[number]) for number in numbers])
