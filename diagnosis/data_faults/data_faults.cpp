@@ -13,7 +13,6 @@
 #include <Eigen/Cholesky>
 
 #include "diagnosis/fit/refit.hpp"
-#include "diagnosis/noise/white_equivalent.hpp"
 #include "input/text/word_lists.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -39,7 +38,7 @@ constexpr std::size_t most_faults = 3;
 /// Relabellings that are fitted in full.
 constexpr std::size_t most_fits = 3;
 /// In the linear picture a number moves by so many of its standard deviations at most.
-constexpr double farthest = 5.0;
+constexpr double farthest = 10.0;
 constexpr Eigen::Index fewest_rows = 50;
 
 /// Rows of temperatures that sensors of logs have read.
@@ -71,69 +70,62 @@ struct LinearModel {
     Eigen::MatrixXd slope;      ///< [n_rows][n] per scale
 };
 
-/// What a model leaves, its numbers fitted in the linear picture with white noise.
+/// What a model leaves, its numbers fitted in the linear picture.
 struct LinearFit {
     Eigen::VectorXd left;  ///< [n_rows]
     double pull = 0.0;     ///< squared standard deviations of all priors
 };
 
-LinearFit linear_fit(const LinearModel& model, const Eigen::VectorXd& precision, const Observations& observations) {
+/// @param noise as stated, so that the data count and not what was known before
+LinearFit linear_fit(const LinearModel& model, const Eigen::VectorXd& precision, const Covariance& noise,
+                     const Observations& observations) {
     Eigen::VectorXd difference = model.measured - model.simulated;
     const Eigen::VectorXd known = difference.array().isNaN().select(0.0, Eigen::VectorXd::Ones(difference.size()));
     difference = known.array().select(difference, 0.0);
     const Eigen::MatrixXd slope = known.asDiagonal() * model.slope;
-    Eigen::VectorXd left = difference;
-    Eigen::VectorXd step;
-    for (int round = 0; round < 3; ++round) {
-        const Covariance white = white_noise_of(left, observations.blocks, observations.channels.size());
-        Eigen::MatrixXd all(slope.rows(), slope.cols() + 1);
-        all << slope, difference;
-        whiten(observations.blocks, white, all);
-        const auto S = all.leftCols(slope.cols());
-        Eigen::MatrixXd A = S.transpose() * S;
-        A.diagonal() += precision + Eigen::VectorXd::Constant(precision.size(), 1e-9);
-        step = A.ldlt().solve(S.transpose() * all.col(slope.cols()));
-        step = step.cwiseMin(farthest).cwiseMax(-farthest);
-        left = difference - slope * step;
-    }
+    Eigen::MatrixXd all(slope.rows(), slope.cols() + 1);
+    all << slope, difference;
+    whiten(observations.blocks, noise, all);
+    const auto S = all.leftCols(slope.cols());
+    Eigen::MatrixXd A = S.transpose() * S;
+    A.diagonal() += precision + Eigen::VectorXd::Constant(precision.size(), 1e-9);
+    const Eigen::VectorXd step =
+        A.ldlt().solve(S.transpose() * all.col(slope.cols())).cwiseMin(farthest).cwiseMax(-farthest);
+    const Eigen::VectorXd left = difference - slope * step;
     return {.left = known.array().select(left, std::nan("")), .pull = precision.dot(step.cwiseAbs2())};
 }
 
-/// A model fitted with noise that is as large as what it leaves.
-struct WhiteFit {
+/// A model fitted with the noise as stated: what it leaves is what no parameter can make up for, however far that is from what was
+/// known of it. Noise as large as a gross misfit would hold the parameters where they were known.
+struct DataFit {
     bool sound = false;
     double left = std::numeric_limits<double>::infinity();  ///< K, rms of all temperatures
     double pull = 0.0;                                      ///< squared standard deviations of all priors
 };
 
-WhiteFit white_fit(const input::Experiment& experiment, long& simulations) {
+DataFit data_fit(const input::Experiment& experiment, long& simulations) {
     const Observations observations = observe(experiment);
     Fit fit(experiment, observations);
-    WhiteFit result;
-    if (!fit.move_to(fit.simulator().start())) {
-        return result;
-    }
-    for (int round = 0; round < 3; ++round) {
-        const Eigen::VectorXd left = observations.measured - fit.now().simulated;
-        fit.take_covariance(white_noise_of(left, observations.blocks, observations.channels.size()));
-        const Refit at = refit(fit, 6);
-        if (!at.status.ok() || !fit.move_to(at.values)) {
-            return result;
-        }
+    fit.take_stated_noise();
+    DataFit result;
+    if (fit.move_to(fit.simulator().start())) {
+        const Refit at = refit(fit);
+        result.sound = at.status.ok() && at.values.size() > 0;
         result.pull = at.known.squaredNorm();
-        result.left = rms(observations.measured - at.simulated, temperature_rows(experiment, observations));
+        result.left = result.sound
+                          ? rms(observations.measured - at.simulated, temperature_rows(experiment, observations))
+                          : result.left;
     }
     simulations += fit.simulator().simulations();
-    result.sound = true;
     return result;
 }
 
-bool removes_nearly_all(const WhiteFit& before, const WhiteFit& after) {
+bool removes_nearly_all(const DataFit& before, const DataFit& after) {
     return before.left > gross_misfit && after.left < std::min(ordinary, falls_to * before.left) &&
            after.pull <= std::max(usual_pull, before.pull);
 }
 
-bool brings_parameters_back(const WhiteFit& before, const WhiteFit& after) {
+bool brings_parameters_back(const DataFit& before, const DataFit& after) {
     return after.pull <= std::min(usual_pull, before.pull - pulled_back) && after.left < met_better * before.left;
 }
 
@@ -147,7 +139,7 @@ struct FaultTrial {
 /// The same with its full fit, and the experiment that it is of.
 struct FittedTrial {
     FaultTrial trial;
-    WhiteFit fit;
+    DataFit fit;
     input::Experiment experiment;
 };
 
@@ -208,6 +200,7 @@ private:
     Observations observations_;
     std::vector<Eigen::Index> rows_;
     Eigen::VectorXd precision_;
+    Covariance noise_;
 };
 
 std::optional<LinearModel> LabelSearch::linear_model(const input::Experiment& experiment) {
@@ -217,6 +210,8 @@ std::optional<LinearModel> LabelSearch::linear_model(const input::Experiment& ex
     if (!runs) {
         return std::nullopt;
     }
+    fit.take_stated_noise();
+    noise_ = fit.covariance();
     precision_ = fit.precision().cwiseProduct(fit.scale().cwiseAbs2());
     return LinearModel{.measured = observations_.measured,
                        .simulated = fit.now().simulated,
@@ -260,7 +255,7 @@ std::vector<FaultTrial> LabelSearch::trials(const LinearModel& base, const std::
                 continue;
             }
             const LinearModel mixed = in_scope(base, *everywhere, scope, observations_);
-            const LinearFit fit = linear_fit(mixed, precision_, observations_);
+            const LinearFit fit = linear_fit(mixed, precision_, noise_, observations_);
             const double left = rms(fit.left, rows_);
             if (left < at_most) {
                 found.push_back({.what = &what, .scope = &scope, .left = left});
@@ -327,7 +322,7 @@ std::vector<FittedTrial> LabelSearch::fitted(const std::vector<FaultTrial>& rank
             break;
         }
         std::optional<input::Experiment> read = read_with(*trial.what, *trial.scope);
-        const WhiteFit fit = read ? white_fit(*read, simulations_) : WhiteFit{};
+        const DataFit fit = read ? data_fit(*read, simulations_) : DataFit{};
         if (fit.sound) {
             all.push_back({.trial = trial, .fit = fit, .experiment = std::move(*read)});
         }
@@ -344,11 +339,11 @@ std::optional<LikelyFault> LabelSearch::find() {
         return std::nullopt;
     }
     const std::optional<LinearModel> base = linear_model(experiment_);
-    const LinearFit first = base ? linear_fit(*base, precision_, observations_) : LinearFit{};
+    const LinearFit first = base ? linear_fit(*base, precision_, noise_, observations_) : LinearFit{};
     if (!base || (rms(first.left, rows_) < gross_misfit && first.pull < pulled_back)) {
         return std::nullopt;
     }
-    const WhiteFit as_it_is = white_fit(experiment_, simulations_);
+    const DataFit as_it_is = data_fit(experiment_, simulations_);
     if (!as_it_is.sound || (as_it_is.left < gross_misfit && as_it_is.pull < pulled_back)) {
         return std::nullopt;
     }

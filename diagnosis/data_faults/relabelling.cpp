@@ -169,8 +169,12 @@ std::vector<const ReadColumn*> columns_in(const Relabelling& what, const Measure
 }
 
 bool is_possible(const Relabelling& what, const FaultScope& scope, const input::Experiment& experiment) {
-    return std::ranges::all_of(scope.runs,
-                               [&](std::size_t r) { return !columns_in(what, experiment.runs[r]).empty(); });
+    return std::ranges::all_of(scope.runs, [&](std::size_t r) {
+        const std::vector<const ReadColumn*> columns = columns_in(what, experiment.runs[r]);
+        // A run on another compound makes as much more heat as one whose speed or load is in another unit.
+        const auto is_of_all = [&](const ReadColumn* one) { return one->is_input && one->quantity != "K"; };
+        return !columns.empty() && (scope.recordings.empty() || std::ranges::none_of(columns, is_of_all));
+    });
 }
 
 std::vector<ColumnChange> changes_of(const Relabelling& what, const FaultScope& scope,

@@ -47,7 +47,8 @@ struct Relabelling {
 /// quantity exchanged, each two inputs of one; and the inputs of the other wheel of an axle, where the case is of one tire.
 [[nodiscard]] std::vector<Relabelling> relabellings(const input::Experiment& experiment);
 
-/// Whether all runs of the scope have the columns, and their sizes allow it.
+/// Whether all runs of the scope have the columns, and their sizes allow it. Inputs that make heat are wrong in all runs or in none:
+/// of some runs alone other causes look the same.
 [[nodiscard]] bool is_possible(const Relabelling& what, const FaultScope& scope, const input::Experiment& experiment);
 
 /// How a case says so. @returns none where it is not possible, or where no key of a case says it: of mirrored inputs

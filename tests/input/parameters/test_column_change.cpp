@@ -19,12 +19,14 @@ const std::vector<ColumnChange> exchanged{{.heading = "surface_temperature", .na
 
 /// What the sensor of this name reads first in a run, K.
 double first_reading(const ExperimentReading& reading, std::size_t run, const std::string& sensor) {
-    EXPECT_TRUE(reading.experiment) << error_report(reading);
-    for (const MeasuredRun& one : reading.experiment ? reading.experiment->runs : std::vector<MeasuredRun>{}) {
-        for (const MeasuredSeries& series : one.series) {
-            if (&one == &reading.experiment->runs.at(run) && one.problem.channels[series.channel].name == sensor) {
-                return series.value.front();
-            }
+    if (!reading.experiment) {
+        ADD_FAILURE() << error_report(reading);
+        return 0.0;
+    }
+    const MeasuredRun& one = reading.experiment->runs.at(run);
+    for (const MeasuredSeries& series : one.series) {
+        if (one.problem.channels[series.channel].name == sensor) {
+            return series.value.front();
         }
     }
     ADD_FAILURE() << sensor << " is not in the run";
