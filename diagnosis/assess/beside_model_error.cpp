@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/assess/extension.hpp"
+#include "diagnosis/assess/tried_additions.hpp"
+#include "diagnosis/fit/block_deviations.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"
 
 namespace tiretherm::diagnosis {
@@ -42,6 +45,31 @@ std::optional<PredictedModel> predicted_on(ScoreTestData& score_data, const Rich
     return model.out.ok ? std::optional(std::move(model)) : std::nullopt;
 }
 
+RicherMesh described(const std::string& name, const PredictedModel& model, const PredictionGain& gain,
+                     const ScoreTestData& score_data) {
+    const Observations& observations = *score_data.observations;
+    RicherMesh mesh{.name = name,
+                    .is_better = is_improvement(gain),
+                    .removed = gain.removed,
+                    .low = gain.low,
+                    .high = gain.high,
+                    .change = largest_change(gain, observations)};
+    const Refit& fit = model.hypothesis.fit;
+    const BlockDeviations deviations =
+        block_deviations(fit, observations, length_of_blocks(observations, score_data.noise.channels));
+    for (std::size_t j = 0; j < model.hypothesis.model.parameters.size(); ++j) {
+        const solver::FreeParameter& number = model.hypothesis.model.parameters[j];
+        const auto i = static_cast<Eigen::Index>(j);
+        const double half = deviations.wide * deviations.deviation[i];
+        mesh.numbers.push_back({.name = number.name,
+                                .unit = number.unit,
+                                .value = fit.values[i],
+                                .low = std::max(number.low, fit.values[i] - half),
+                                .high = std::min(number.high, fit.values[i] + half)});
+    }
+    return mesh;
+}
+
 /// A richer mesh is a cause, too: it is taken where with its own causes it predicts better than what was found with its. Alone it
 /// need not: a sensor that is late hides a surface that is too slow.
 void search_on(DiagnosisState& state, const RicherModel& richer) {
@@ -61,9 +89,8 @@ void search_on(DiagnosisState& state, const RicherModel& richer) {
     const PredictionGain gain = gain_over(search.base, *model);
     if (is_improvement(gain)) {
         state.other_meshes.push_back(richer.name);
-    } else {
-        search.largest_gain = std::max(search.largest_gain, gain.removed);
     }
+    state.richer_meshes.push_back(described(richer.name, *model, gain, score_data));
     ScoreTestData on_it =
         prepare_score_tests(*richer.experiment, observations,
                             candidates_of(*richer.experiment, richer.experiment->candidates), score_data.progress);
@@ -80,6 +107,8 @@ void search_on(DiagnosisState& state, const RicherModel& richer) {
     if (!is_improvement(gain_over(search.best(), there.best())) || !is_improvement(there.gain)) {
         return;
     }
+    state.richer_meshes.back().is_taken = true;
+    state.tried = there.tried;
     if (there.accepted.empty()) {
         there.accepted.push_back({.model = *model, .gain = gain});
     }
@@ -151,6 +180,7 @@ void search_beside_model_error(DiagnosisState& state, const std::vector<RicherMo
     score_data.say({.doing = Work::left_out_data});
     state.search = choose_base(score_data);
     search_by_prediction(score_data, *state.search);
+    state.tried = state.search->tried;
     for (const RicherModel& one : richer) {
         search_on(state, one);
     }

@@ -150,7 +150,56 @@ struct NextExperiment {
     double then = 0.0;  ///< with the experiment in addition
 };
 
-/// How large an effect could be without being seen.
+/// What a channel's error does on data that were left out. SI
+struct ChannelChange {
+    std::size_t channel = 0;  ///< index into Problem::channels
+    double before = 0.0;      ///< rms
+    double after = 0.0;
+    double low = 0.0;  ///< 95 %, of before - after
+    double high = 0.0;
+
+    [[nodiscard]] double gain() const { return before - after; }
+};
+
+/// Why an addition to the model is not taken for a cause.
+enum class AdditionDoubt : std::uint8_t {
+    none,             ///< it predicts better beyond chance
+    too_small,        ///< it removes next to nothing
+    may_be_chance,    ///< the interval of what it removes reaches zero
+    worsens_channel,  ///< another channel is predicted worse
+    worsens_part,     ///< a recording, or a quarter of the only one, is predicted worse
+    end_of_range,     ///< it wants a size at the end of what is plausible
+    not_tested        ///< about its fit, others promise more
+};
+
+/// An addition to the model that was fitted, and what came of it on data that were left out.
+struct TriedAddition {
+    std::vector<Cause> causes;  ///< that were added, with their numbers
+    std::size_t beside = 0;     ///< causes that were in the model before
+    AdditionDoubt doubt = AdditionDoubt::none;
+    double removed =
+        0.0;  ///< share of the mean square, mean over channels; where it was not tested, to first order about the fit
+    double low = 0.0;  ///< 95 %; NaN where it was not tested
+    double high = 0.0;
+    std::optional<ChannelChange>
+        change{};  ///< of the channel that gains the largest share; nothing where it was not tested
+
+    [[nodiscard]] bool is_tested() const { return change.has_value(); }
+};
+
+/// The same model on a richer mesh, without any cause, beside the case's own mesh on data that were left out.
+struct RicherMesh {
+    std::string name;        ///< "layers"
+    bool is_better = false;  ///< beyond chance
+    bool is_taken = false;   ///< the extended model has it
+    double removed = 0.0;    ///< share of the mean square, mean over channels
+    double low = 0.0;        ///< 95 %
+    double high = 0.0;
+    std::optional<ChannelChange> change{};  ///< of the channel that gains the largest share
+    std::vector<FreeNumber> numbers{};      ///< as they are fitted on it
+};
+
+/// How large an effect could be without being seen, if nothing else is missing.
 struct UpperLimit {
     std::string id;
     std::string channel{};
@@ -159,6 +208,7 @@ struct UpperLimit {
     std::string unit;
     double low = 0.0;  ///< 95 %
     double high = 0.0;
+    double absent = 0.0;  ///< at which it changes nothing
 };
 
 /// Missing heat at a place over a window of time, inferred from the data: what it would have to be, together with that in all other
@@ -186,7 +236,11 @@ struct Diagnosis {
     std::optional<UnknownSource> unknown;
     std::optional<Remark> reason;           ///< why these data do not allow a diagnosis, where one is known
     std::vector<NextExperiment> next;       ///< the most telling first
-    std::vector<UpperLimit> limits;         ///< when nothing is found
+    std::vector<std::string> told_apart;    ///< by them: names of the explanations
+    std::vector<UpperLimit> limits;         ///< of all candidates that are not in the extended model
+    std::vector<TriedAddition> tried;       ///< those first that remove most on data that were left out
+    std::vector<RicherMesh> richer_meshes;  ///< that were tried
+    std::size_t n_candidates = 0;           ///< causes that were looked for
     std::vector<MissingHeat> missing_heat;  ///< where and when, of the base model
     std::vector<ChannelGain> channels;
     Gain gain;

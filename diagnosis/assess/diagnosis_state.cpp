@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the state of a diagnosis into its result: causes with 95 % intervals, unknown sources, and upper limits for
-// effects that were not found.
+// Writes the state of a diagnosis into its result: causes, unknown sources, what was tried and what it can be at most.
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 
@@ -8,9 +7,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "input/parameters/parameter_path.hpp"
+#include "diagnosis/assess/cause_description.hpp"
+#include "diagnosis/assess/tried_additions.hpp"
+#include "diagnosis/assess/upper_limits.hpp"
 #include "input/text/word_lists.hpp"
-#include "physics/plausible_ranges.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -64,58 +64,6 @@ UnknownSource describe_unknown(const DiagnosisState& found) {
     return source;
 }
 
-/// One cause of a hypothesis, with its numbers in their intervals.
-Cause describe_cause(const DiagnosisState& found, const FittedHypothesis& one, std::size_t i) {
-    const solver::Problem& problem = found.score_data.experiment->runs.front().problem;
-    const Candidate& candidate = found.score_data.candidates[one.candidates[i]];
-    Cause cause{.id = std::string(candidate.effect->id)};
-    if (candidate.on >= 0) {
-        cause.instead_of = candidate.absent;
-    }
-    cause.channel = sensors_of(candidate, problem);
-    if (candidate.layer >= 0) {
-        cause.place = problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
-    }
-    const Eigen::VectorXd deviation = one.fit.deviations();
-    const auto add = [&](Eigen::Index j, std::size_t parameter, double factor) {
-        const physics::ParameterSpec& number = candidate.effect->parameters[parameter];
-        const double value = one.fit.values[j];
-        const auto [low, high] = std::minmax({factor * std::max(number.low, value - wide * deviation[j]),
-                                              factor * std::min(number.high, value + wide * deviation[j])});
-        cause.numbers.push_back({.key = std::string(number.key),
-                                 .unit = std::string(number.unit),
-                                 .value = factor * value,
-                                 .low = low,
-                                 .high = high,
-                                 .fitted = static_cast<std::size_t>(j),
-                                 .factor = factor});
-    };
-    const Eigen::Index j = one.number_of(i);
-    add(j, candidate.parameter, 1.0);
-    for (const solver::FreeParameter::Companion& companion : candidate.companions) {
-        add(j, companion.parameter, companion.factor);
-    }
-    Eigen::Index held = one.fit.values.size() - one.n_held;
-    for (std::size_t before = 0; before < i; ++before) {
-        held += static_cast<Eigen::Index>(found.score_data.candidates[one.candidates[before]].held.size());
-    }
-    for (const Candidate::Held& number : candidate.held) {
-        add(held++, number.parameter, 1.0);
-    }
-    // What the likelihood says where the number is alone; a number that is nearly free makes its own deviation a poor guide.
-    cause.sigma = one.candidates.size() == 1
-                      ? std::sqrt(2.0 * std::max(0.0, one.gain))
-                      : (deviation[j] > 0.0 ? std::abs(one.fit.values[j] - candidate.absent) / deviation[j] : 0.0);
-    cause.gain = one.gain;
-    if (one.fit.at_bound[static_cast<std::size_t>(j)]) {
-        cause.at_bound = true;
-    } else if (const physics::PlausibleRange* range = physics::plausible_range(*candidate.effect, candidate.parameter);
-               range != nullptr && !physics::is_plausible(*range, one.fit.values[j])) {
-        cause.implausible = range;
-    }
-    return cause;
-}
-
 /// Causes of the set first, hypothesis by hypothesis, then the others that were tried alone.
 void describe_causes(const DiagnosisState& found, Diagnosis& into) {
     std::vector<std::size_t> described;  // Candidate::cause of each
@@ -127,7 +75,7 @@ void describe_causes(const DiagnosisState& found, Diagnosis& into) {
             members.push_back(static_cast<std::size_t>(known - described.begin()));
             if (known == described.end()) {
                 described.push_back(cause);
-                into.causes.push_back(describe_cause(found, one, i));
+                into.causes.push_back(describe_cause(found.score_data, one, i));
                 into.causes.back().in_set = in_set;
                 into.causes.back().rank = static_cast<int>(described.size());
             }
@@ -175,32 +123,6 @@ void describe_causes(const DiagnosisState& found, Diagnosis& into) {
     }
 }
 
-/// How large each cause could be without having been seen.
-void find_limits(const DiagnosisState& found, Diagnosis& into) {
-    const ScoreTestData& score_data = found.score_data;
-    std::size_t last = static_cast<std::size_t>(-1);
-    for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
-        const Candidate& candidate = score_data.candidates[k];
-        const auto i = static_cast<Eigen::Index>(k);
-        if (candidate.cause == last || score_data.scores.length[i] == 0.0) {
-            continue;
-        }
-        last = candidate.cause;
-        const double middle = candidate.absent + score_data.scores.amplitude(i);
-        const double spread = wide / score_data.scores.length[i];
-        const solver::Problem& problem = score_data.experiment->runs.front().problem;
-        into.limits.push_back(
-            {.id = std::string(candidate.effect->id),
-             .channel = sensors_of(candidate, problem),
-             .place = candidate.layer >= 0 ? problem.mesh.layers[static_cast<std::size_t>(candidate.layer)] : "",
-             .key = std::string(candidate.number().key),
-             .unit = std::string(candidate.number().unit),
-             // Data may ask for more than is allowed: both ends are then the bound.
-             .low = std::clamp(middle - spread, candidate.low, candidate.high),
-             .high = std::clamp(middle + spread, candidate.low, candidate.high)});
-    }
-}
-
 /// What was tested on data that were left out, and what was put aside.
 void describe_search(const PredictionSearch& search, const DiagnosisState& found, Diagnosis& into) {
     std::ranges::copy(search.remarks, std::back_inserter(into.remarks));
@@ -215,9 +137,6 @@ void describe_search(const PredictionSearch& search, const DiagnosisState& found
     }
     for (std::size_t i = 1; i < found.set.size(); ++i) {
         add(i, search.alternatives[i - 1].gain);
-    }
-    if (search.accepted.empty() && found.verdict == Verdict::cannot_tell) {
-        into.reason = remark::nothing_predicts_better(100.0 * search.largest_gain);
     }
 }
 
@@ -239,14 +158,6 @@ const FittedHypothesis* implausible(const DiagnosisState& found) {
 
 }  // namespace
 
-void Cause::widen(const std::vector<double>& half) {
-    for (CauseNumber& number : numbers) {
-        const double reach = std::abs(number.factor) * half[number.fitted];
-        number.low = std::min(number.low, number.value - reach);
-        number.high = std::max(number.high, number.value + reach);
-    }
-}
-
 void report(const DiagnosisState& found, Diagnosis& into) {
     into.verdict = found.verdict;
     describe_causes(found, into);
@@ -254,9 +165,14 @@ void report(const DiagnosisState& found, Diagnosis& into) {
         into.unknown = describe_unknown(found);
     }
     if (found.verdict == Verdict::consistent) {
-        find_limits(found, into);
         into.reason = noise_above_sheet(found.score_data);
     }
+    into.limits = upper_limits(found);
+    for (TriedModel& trial : ranked(found.search && found.tried.empty() ? found.search->tried : found.tried)) {
+        into.tried.push_back(std::move(trial.addition));
+    }
+    into.richer_meshes = found.richer_meshes;
+    into.n_candidates = n_causes(found.score_data);
     if (const FittedHypothesis* better = implausible(found)) {
         std::vector<std::string> names;
         for (const std::size_t k : better->candidates) {

@@ -44,6 +44,8 @@ struct DiagnosisState {
     input::MeshChange change{};                ///< that makes the mesh
     std::string mesh{};                        ///< richer than the experiment's, that was taken; empty: none
     std::vector<std::string> other_meshes{};   ///< that predict better, too
+    std::vector<TriedModel> tried{};           ///< by the searches by prediction on the mesh that was taken
+    std::vector<RicherMesh> richer_meshes{};   ///< that were tried
     std::vector<Eigen::VectorXd> of_folds{};   ///< [n_folds][n] numbers of the best hypothesis without each fold
 
     /// The hypothesis that the model is extended with; null where there is none.
@@ -88,8 +90,8 @@ void measure_gain(DiagnosisState& state, Diagnosis& into);
 /// What is left of each channel beyond its noise, and the free numbers with the intervals that this leaves them.
 void describe_model_error(const DiagnosisState& state, Diagnosis& into);
 
-/// Simulates manoeuvres of a menu and says by how many standard deviations each would separate the likeliest
-/// hypotheses.
+/// Simulates the manoeuvres that are possible and says by how many standard deviations each would separate the likeliest explanations:
+/// those of the set; of fewer than two also what was tried, or the largest that the data allow.
 void plan_next(const DiagnosisState& state, Diagnosis& into);
 
 /// The missing heat that the residuals of the base model imply, beside its free numbers: the heat at a place in all windows of all

@@ -1,158 +1,113 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Discriminating experiments: simulates manoeuvres of a menu and computes by how many standard deviations each would
-// separate the likeliest hypotheses.
+// Discriminating experiments: simulates the manoeuvres that are possible and computes by how many standard deviations each would
+// separate the likeliest explanations.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <numbers>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
+#include "diagnosis/assess/tried_additions.hpp"
 #include "solver/in_parallel.hpp"
 
 namespace tiretherm::diagnosis {
 
 namespace {
 
-constexpr double minute = 60.0;
-constexpr double kmh = 1.0 / 3.6;
-constexpr double degree = std::numbers::pi / 180.0;
 /// s between readings of a run that is yet to be made.
 constexpr double interval = 5.0;
-/// How long inputs take from one value to the next, s.
-constexpr double ramp = 5.0;
+/// Explanations that are told apart at once.
+constexpr std::size_t most_explanations = 3;
+/// A cause that is not seen is taken as large as it may be: so many standard deviations above what the data ask for.
+constexpr double not_excluded = 2.0;
+/// Of the load, at most what a lateral force can be.
+constexpr double grip = 0.9;
+/// Inputs that a manoeuvre does not have unless it says so; all others stay as the first run begins.
+constexpr std::array<std::string_view, 6> absent_unless_given{"slip_angle",    "slip_ratio",         "slip_speed",
+                                                              "lateral_force", "longitudinal_force", "laser_power"};
 
-/// What is held from a moment on. What is NaN stays as before.
-struct Hold {
-    double minutes = 0.0;
-    double speed = 0.0;  ///< m/s
-    double load = 0.0;   ///< N
-    double slip = 0.0;   ///< rad
-    double camber = 0.0;
-    double laser = 0.0;  ///< share of the largest power so far
-};
-
-struct Manoeuvre {
-    std::string name;
-    std::string_view needs;  ///< an input that must be given
-    std::vector<Hold> holds;
-};
-
-std::vector<Manoeuvre> menu() {
-    const double v = 100.0 * kmh;
-    const double fast = 150.0 * kmh;
-    const double load = 4500.0;
-    return {
-        {"speed steps of 50, 100 and 150 km/h at 4500 N, 10 min each",
-         "speed",
-         {{10, 50 * kmh, load}, {10, v, load}, {10, fast, load}}},
-        {"load steps of 2000, 4500 and 7000 N at 100 km/h, 10 min each",
-         "vertical_load",
-         {{10, v, 2000}, {10, v, load}, {10, v, 7000}}},
-        {"slip angles of 2 degrees to either side at 80 km/h, 2 min on and 4 min off, 30 min",
-         "slip_angle",
-         {{4, 80 * kmh, load},
-          {2, 80 * kmh, load, 2 * degree},
-          {4, 80 * kmh, load},
-          {2, 80 * kmh, load, -2 * degree},
-          {4, 80 * kmh, load},
-          {2, 80 * kmh, load, 2 * degree},
-          {12, 80 * kmh, load}}},
-        {"15 min at 150 km/h and 6000 N, then 25 min coasting at 50 km/h and 200 N",
-         "speed",
-         {{15, fast, 6000}, {25, 50 * kmh, 200}}},
-        {"15 min at 150 km/h and 6000 N, then 45 min standing", "speed", {{15, fast, 6000}, {45, 0, 200}}},
-        {"two hours at 100 km/h and 4500 N", "speed", {{120, v, load}}},
-        {"camber of 3 degrees to either side at 100 km/h, 15 min each",
-         "camber",
-         {{15, v, load, 0, 3 * degree}, {15, v, load, 0, -3 * degree}}},
-        {"laser at a third, two thirds and all of its power, 10 min each",
-         "laser_power",
-         {{10, 0, 0, 0, 0, 1.0 / 3}, {10, 0, 0, 0, 0, 2.0 / 3}, {10, 0, 0, 0, 0, 1}}},
-        {"laser at all of its power for 10 min, then 20 min off", "laser_power", {{10, 0, 0, 0, 0, 1}, {20}}},
-    };
+template <typename Take>
+void at_every_sample(const input::Experiment& experiment, const Take& take) {
+    for (const input::MeasuredRun& run : experiment.runs) {
+        for (const double t : run.time) {
+            take(run.problem.input_signals.at(t, solver::JumpSide::after));
+        }
+    }
 }
 
 /// Side force over slip angle of the logs, N/rad.
 double cornering_slope(const input::Experiment& experiment) {
     double product = 0.0;
     double square = 0.0;
-    for (const input::MeasuredRun& run : experiment.runs) {
-        for (const double t : run.time) {
-            const physics::Inputs u = run.problem.input_signals.at(t, solver::JumpSide::after);
-            product += u.lateral_force * u.slip_angle;
-            square += u.slip_angle * u.slip_angle;
-        }
-    }
+    at_every_sample(experiment, [&](const physics::Inputs& u) {
+        product += u.lateral_force * u.slip_angle;
+        square += u.slip_angle * u.slip_angle;
+    });
     return square > 0.0 ? product / square : 0.0;
 }
 
-double largest_power(const input::Experiment& experiment) {
+double largest_of(const input::Experiment& experiment, const physics::Signal& signal) {
     double most = 0.0;
-    for (const input::MeasuredRun& run : experiment.runs) {
-        for (const double t : run.time) {
-            most = std::max(most, run.problem.input_signals.at(t, solver::JumpSide::after).laser_power);
-        }
-    }
+    at_every_sample(experiment, [&](const physics::Inputs& u) { most = std::max(most, std::abs(u.*signal.member)); });
     return most;
 }
 
-/// The experiment with nothing but this manoeuvre as a run, under the surroundings of the first run; sensors as there.
-input::Experiment planned_run_of(const input::Experiment& experiment, const Manoeuvre& manoeuvre) {
+/// What a manoeuvre puts in, under the surroundings in which the first run begins.
+solver::InputSignals inputs_of(const input::Experiment& experiment, const input::Manoeuvre& manoeuvre) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    const physics::Inputs first = problem.input_signals.at(problem.settings.start, solver::JumpSide::after);
+    const physics::Signal& slip = *physics::find_signal("slip_angle");
+    solver::InputSignals inputs;
+    for (const physics::Signal& signal : physics::signals()) {
+        if (!problem.input_signals.gives(signal)) {
+            continue;
+        }
+        const auto series = std::ranges::find(manoeuvre.inputs.series(), &signal, &solver::Series::signal);
+        if (series != manoeuvre.inputs.series().end()) {
+            inputs.add(*series);
+        } else if (manoeuvre.inputs.gives(signal)) {
+            inputs.add(signal, manoeuvre.inputs.constants().*signal.member);
+        } else {
+            const bool is_absent = std::ranges::find(absent_unless_given, signal.name) != absent_unless_given.end();
+            inputs.add(signal, is_absent ? 0.0 : first.*signal.member);
+        }
+        if (std::ranges::find(manoeuvre.of_largest, signal.name) != manoeuvre.of_largest.end()) {
+            inputs.move(signal, largest_of(experiment, signal), 0.0);
+        }
+    }
+    // A slip angle makes the lateral force that it has made in the logs.
+    const physics::Signal& force = *physics::find_signal("lateral_force");
+    const auto angle = std::ranges::find(manoeuvre.inputs.series(), &slip, &solver::Series::signal);
+    if (angle != manoeuvre.inputs.series().end() && inputs.gives(force) && !manoeuvre.inputs.gives(force)) {
+        const double slope = cornering_slope(experiment);
+        std::vector<double> made;
+        for (const double t : angle->time) {
+            const double most = grip * inputs.at(t, solver::JumpSide::after).vertical_load;
+            made.push_back(std::clamp(slope * angle->at(t, solver::JumpSide::after), -most, most));
+        }
+        inputs.replace(solver::Series{.signal = &force, .time = angle->time, .value = std::move(made)});
+    }
+    inputs.start_at(manoeuvre.start);
+    return inputs;
+}
+
+/// The experiment with nothing but this manoeuvre as a run; sensors as in the first one.
+input::Experiment planned_run_of(const input::Experiment& experiment, const input::Manoeuvre& manoeuvre) {
     input::Experiment planned = experiment;
     planned.runs.resize(1);
     input::MeasuredRun& run = planned.runs.front();
-    const physics::Inputs first = run.problem.input_signals.at(run.problem.settings.start, solver::JumpSide::after);
-    const double slope = cornering_slope(experiment);
-    const double power = largest_power(experiment);
-    solver::InputSignals input_signals;
-    const auto series = [&](const physics::Signal& signal, auto value) {
-        std::vector<double> time;
-        std::vector<double> held;
-        double t = 0.0;
-        for (const Hold& hold : manoeuvre.holds) {
-            time.insert(time.end(), {t == 0.0 ? 0.0 : t + ramp, t + minute * hold.minutes});
-            held.insert(held.end(), {value(hold), value(hold)});
-            t += minute * hold.minutes;
-        }
-        input_signals.add(solver::Series{.signal = &signal, .time = std::move(time), .value = std::move(held)});
-    };
-    for (const physics::Signal& signal : physics::signals()) {
-        if (!experiment.runs.front().problem.input_signals.gives(signal)) {
-            continue;
-        }
-        if (signal.name == "speed") {
-            series(signal, [](const Hold& hold) { return hold.speed; });
-        } else if (signal.name == "vertical_load") {
-            series(signal, [](const Hold& hold) { return hold.load; });
-        } else if (signal.name == "slip_angle") {
-            series(signal, [](const Hold& hold) { return hold.slip; });
-        } else if (signal.name == "lateral_force") {
-            series(signal,
-                   [&](const Hold& hold) { return std::clamp(slope * hold.slip, -0.9 * hold.load, 0.9 * hold.load); });
-        } else if (signal.name == "camber") {
-            series(signal, [](const Hold& hold) { return hold.camber; });
-        } else if (signal.name == "laser_power") {
-            series(signal, [&](const Hold& hold) { return power * hold.laser; });
-        } else {
-            input_signals.add(signal, first.*signal.member);
-        }
-    }
-    input_signals.start_at(0.0);
-    double length = 0.0;
-    for (const Hold& hold : manoeuvre.holds) {
-        length += minute * hold.minutes;
-    }
-    run.problem.input_signals = std::move(input_signals);
+    run.problem.input_signals = inputs_of(experiment, manoeuvre);
     run.problem.input_model = nullptr;  // loads and slips are those of the manoeuvre
-    run.problem.settings.start = 0.0;
-    run.problem.settings.end = length;
+    run.problem.settings.start = manoeuvre.start;
+    run.problem.settings.end = manoeuvre.end;
     run.time.clear();
-    for (double t = 0.0; t <= length; t += interval) {
+    for (double t = manoeuvre.start; t <= manoeuvre.end; t += interval) {
         run.time.push_back(t);
     }
     run.numbers.clear();
@@ -181,36 +136,32 @@ double separation(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& precisio
     return NuisanceProjector(free, known).project(Eigen::MatrixXd(a)).squaredNorm();
 }
 
-/// Signature of a hypothesis in whole: what it makes of the fitted base model.
+/// Signature of an explanation in whole: what it makes of the fitted base model.
 struct Shape {
     Eigen::VectorXd old;   ///< whitened, of the data there are
     Eigen::VectorXd more;  ///< whitened, of the manoeuvre
 };
 
-/// Problems of the planned run with a hypothesis' causes at their fitted numbers, all else as in the base fit.
-input::Experiment with_causes(const DiagnosisState& found, const input::Experiment& planned,
-                              const FittedHypothesis& one) {
+/// The experiment with causes at their sizes, all else as in the base fit.
+input::Experiment with_causes(const ScoreTestData& score_data, const input::Experiment& planned,
+                              const SizedCauses& one) {
     std::vector<Candidate> on;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < one.candidates.size(); ++i) {
-        on.push_back(found.score_data.candidates[one.candidates[i]]);
-        values.push_back(one.fit.values[one.number_of(i)]);
+    for (const std::size_t k : one.candidates) {
+        on.push_back(score_data.candidates[k]);
     }
-    input::Experiment model = with(planned, on, values);
+    input::Experiment model = with(planned, on, one.values);
     model.parameters.clear();
     return model;
 }
 
-/// What each hypothesis makes of the data that there are, by the score test's columns.
-std::vector<Shape> shapes_of(const DiagnosisState& found, std::size_t n_shapes) {
-    const ScoreTestData& score_data = found.score_data;
-    std::vector<Shape> shapes(n_shapes);
-    for (std::size_t s = 0; s < n_shapes; ++s) {
+/// What each explanation makes of the data that there are, by the score test's columns.
+std::vector<Shape> shapes_of(const ScoreTestData& score_data, const std::vector<SizedCauses>& explanations) {
+    std::vector<Shape> shapes(explanations.size());
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
         shapes[s].old = Eigen::VectorXd::Zero(score_data.observations->measured.size());
-        const FittedHypothesis& one = *found.set[s];
-        for (std::size_t i = 0; i < one.candidates.size(); ++i) {
-            const std::size_t k = one.candidates[i];
-            shapes[s].old += (one.fit.values[one.number_of(i)] - score_data.candidates[k].absent) *
+        for (std::size_t i = 0; i < explanations[s].candidates.size(); ++i) {
+            const std::size_t k = explanations[s].candidates[i];
+            shapes[s].old += (explanations[s].values[i] - score_data.candidates[k].absent) *
                              score_data.columns.col(static_cast<Eigen::Index>(k));
         }
     }
@@ -242,10 +193,10 @@ Covariance noise_of(const Observations& seen, const ScoreTestData& score_data) {
     return noise;
 }
 
-/// By how many standard deviations the hypotheses would differ with a manoeuvre in addition; nothing where a simulation fails.
-std::optional<double> apart_with(const Manoeuvre& manoeuvre, const DiagnosisState& found, std::vector<Shape>& shapes,
+/// By how many standard deviations the explanations would differ with a manoeuvre in addition; nothing where a simulation fails.
+std::optional<double> apart_with(const input::Manoeuvre& manoeuvre, const ScoreTestData& score_data,
+                                 const std::vector<SizedCauses>& explanations, std::vector<Shape>& shapes,
                                  long& simulations) {
-    const ScoreTestData& score_data = found.score_data;
     const input::Experiment& experiment = *score_data.experiment;
     input::Experiment planned = planned_run_of(experiment, manoeuvre);
     // Numbers of all runs at their fitted values, the start as the first run's.
@@ -267,7 +218,7 @@ std::optional<double> apart_with(const Manoeuvre& manoeuvre, const DiagnosisStat
     whiten(seen.blocks, noise, slopes);
     planned.runs.front().problem = base.problem(0, values);
     for (std::size_t s = 0; s < shapes.size(); ++s) {
-        const input::Experiment model = with_causes(found, planned, *found.set[s]);
+        const input::Experiment model = with_causes(score_data, planned, explanations[s]);
         Simulator other(model, seen);
         other.take_steps(base.steps());
         const ModelPrediction& there = other.at(other.start());
@@ -289,27 +240,85 @@ std::optional<double> apart_with(const Manoeuvre& manoeuvre, const DiagnosisStat
     });
 }
 
+SizedCauses sized(const FittedHypothesis& one) {
+    SizedCauses causes{.candidates = one.candidates, .values = {}};
+    for (std::size_t i = 0; i < one.candidates.size(); ++i) {
+        causes.values.push_back(one.fit.values[one.number_of(i)]);
+    }
+    return causes;
+}
+
+/// A cause that is not seen, as large as these data allow on the side that they ask for.
+SizedCauses largest_allowed(const ScoreTestData& score_data, std::size_t k) {
+    const Candidate& candidate = score_data.candidates[k];
+    const auto i = static_cast<Eigen::Index>(k);
+    const double z = score_data.scores.z[i];
+    const auto [low, high] = plausible_bounds(candidate);
+    const double size = (z + std::copysign(not_excluded, z)) / score_data.scores.length[i];
+    return {.candidates = {k}, .values = {std::clamp(candidate.absent + size, low, high)}};
+}
+
+/// What an experiment should tell apart: the members of the set. Of fewer than two, that and what was tried beside it, those first that
+/// removed most; then the causes with the largest scores.
+std::vector<SizedCauses> explanations_of(const DiagnosisState& found) {
+    const ScoreTestData& score_data = found.score_data;
+    std::vector<SizedCauses> all;
+    for (std::size_t s = 0; s < std::min(most_explanations, found.set.size()); ++s) {
+        all.push_back(sized(*found.set[s]));
+    }
+    const auto cause_of = [&](std::size_t k) { return score_data.candidates[k].cause; };
+    const auto add = [&](const SizedCauses& one) {
+        const auto is_known = [&](const SizedCauses& other) {
+            return std::ranges::equal(one.candidates, other.candidates, {}, cause_of, cause_of);
+        };
+        if (all.size() < 2 && std::ranges::none_of(all, is_known)) {
+            all.push_back(one);
+        }
+    };
+    for (const TriedModel& trial : ranked(found.tried)) {
+        if (trial.addition.removed > 0.0) {
+            add(trial.model);
+        }
+    }
+    for (const std::size_t k : by_score(score_data, most_explanations)) {
+        add(largest_allowed(score_data, k));
+    }
+    return all;
+}
+
+/// "sensor_lag of surface_temperature (tau 1.4) with inner_gas (liner 9)"
+std::string name_of_causes(const ScoreTestData& score_data, const SizedCauses& one) {
+    std::string name;
+    for (std::size_t i = 0; i < one.candidates.size(); ++i) {
+        const Candidate& candidate = score_data.candidates[one.candidates[i]];
+        name += fmt::format("{}{} ({} {:.2g})", name.empty() ? "" : " with ",
+                            name_of(candidate, *score_data.experiment), candidate.number().key, one.values[i]);
+    }
+    return name;
+}
+
 }  // namespace
 
 void plan_next(const DiagnosisState& found, Diagnosis& into) {
     const ScoreTestData& score_data = found.score_data;
-    if (found.set.size() < 2 || score_data.observations->channels.empty()) {
+    const std::vector<SizedCauses> explanations = explanations_of(found);
+    if (explanations.size() < 2 || score_data.observations->channels.empty()) {
         return;
     }
-    const std::size_t n_shapes = std::min<std::size_t>(3, found.set.size());
-    std::vector<Shape> shapes = shapes_of(found, n_shapes);
-    const double now = apart(score_data, n_shapes, score_data.base.slopes,
+    std::vector<Shape> shapes = shapes_of(score_data, explanations);
+    const double now = apart(score_data, shapes.size(), score_data.base.slopes,
                              [&](std::size_t s) -> const Eigen::VectorXd& { return shapes[s].old; });
-    const solver::InputSignals& given = score_data.experiment->runs.front().problem.input_signals;
-    for (const Manoeuvre& manoeuvre : menu()) {
-        if (!given.gives(*physics::find_signal(manoeuvre.needs))) {
-            continue;
-        }
-        if (const std::optional<double> then = apart_with(manoeuvre, found, shapes, into.simulations)) {
+    for (const input::Manoeuvre& manoeuvre : score_data.experiment->possible) {
+        if (const std::optional<double> then =
+                apart_with(manoeuvre, score_data, explanations, shapes, into.simulations)) {
             into.next.push_back({.name = manoeuvre.name, .now = now, .then = *then});
         }
     }
     std::ranges::stable_sort(into.next, std::greater{}, &NextExperiment::then);
+    if (!into.next.empty()) {
+        std::ranges::transform(explanations, std::back_inserter(into.told_apart),
+                               [&](const SizedCauses& one) { return name_of_causes(score_data, one); });
+    }
 }
 
 }  // namespace tiretherm::diagnosis

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <tuple>
+#include <utility>
 
 #include "diagnosis/fit/block_deviations.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"
@@ -19,6 +21,9 @@ struct Sums {
     double before = 0.0;
     double after = 0.0;
     double count = 0.0;
+
+    [[nodiscard]] double rms_before() const { return count > 0.0 ? std::sqrt(before / count) : 0.0; }
+    [[nodiscard]] double rms_after() const { return count > 0.0 ? std::sqrt(after / count) : 0.0; }
 };
 
 /// [n_blocks][n_noises]; blocks of all recordings, one after another.
@@ -93,18 +98,30 @@ PredictionGain compare_predictions(const HeldOutErrors& before, const HeldOutErr
 
     std::mt19937_64 engine(1989);
     std::vector<double> drawn;
+    std::vector<std::vector<double>> falls(all.size());
     for (int draw = 0; draw < 1000; ++draw) {
-        drawn.push_back(removed_share(total(blocks, blocks.size(), [&](std::size_t /*b*/) {
+        const std::vector<Sums> sums = total(blocks, blocks.size(), [&](std::size_t /*b*/) {
             return static_cast<std::size_t>(engine() % blocks.size());
-        })));
+        });
+        drawn.push_back(removed_share(sums));
+        for (std::size_t c = 0; c < all.size(); ++c) {
+            falls[c].push_back(sums[c].rms_before() - sums[c].rms_after());
+        }
     }
-    std::ranges::sort(drawn);
     // A dozen blocks know their own scatter no better than Student's t of as many says.
     const auto n = static_cast<double>(blocks.size());
     const double wider =
         student(static_cast<int>(blocks.size()) - 1) / 1.959964 * std::sqrt(n / std::max(1.0, n - 1.0));
-    gain.low = gain.removed - wider * (gain.removed - drawn[25]);
-    gain.high = gain.removed + wider * (drawn[974] - gain.removed);
+    const auto interval = [&](double value, std::vector<double>& of_draws) {
+        std::ranges::sort(of_draws);
+        return std::pair{value - wider * (value - of_draws[25]), value + wider * (of_draws[974] - value)};
+    };
+    std::tie(gain.low, gain.high) = interval(gain.removed, drawn);
+    for (std::size_t c = 0; c < all.size(); ++c) {
+        PredictionGain::Fall fall{.before = all[c].rms_before(), .after = all[c].rms_after()};
+        std::tie(fall.low, fall.high) = interval(fall.before - fall.after, falls[c]);
+        gain.channels.push_back(fall);
+    }
 
     const Covariance independent = white_equivalent({.channels = noise, .weight = {}}, observations.blocks);
     double removable = 0.0;

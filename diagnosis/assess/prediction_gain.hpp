@@ -2,6 +2,8 @@
 // How much better one model predicts data that were left out than another, with its interval.
 #pragma once
 
+#include <vector>
+
 #include "diagnosis/fit/held_out.hpp"
 
 namespace tiretherm::diagnosis {
@@ -18,6 +20,14 @@ struct PredictionGain {
     /// Log likelihood ratio of the two predictions with as many independent samples as the noise leaves: half of
     /// n ln(before / after), summed over the channels. It has the sign of what the prediction gains.
     double log_odds = 0.0;
+    /// What the rms of a channel falls by. SI
+    struct Fall {
+        double before = 0.0;
+        double after = 0.0;
+        double low = 0.0;  ///< 95 % of before - after, by the same draws
+        double high = 0.0;
+    };
+    std::vector<Fall> channels{};  ///< [n_noises]; zeros of one without errors before
 };
 
 /// Compares two predictions of the same rows by a bootstrap over blocks of time (Kuensch, Ann. Statist. 17 (1989) 1217).

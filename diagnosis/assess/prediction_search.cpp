@@ -11,6 +11,7 @@
 
 #include "diagnosis/assess/additions.hpp"
 #include "diagnosis/assess/extension.hpp"
+#include "diagnosis/assess/tried_additions.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"
 
 namespace tiretherm::diagnosis {
@@ -163,12 +164,15 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
         if (!trial.hypothesis.sound) {
             continue;
         }
+        trial.promised = share_removed(before, linear_beside(score_data, trial.hypothesis, now.noise, false).with({}));
+        if (trial.promised > 0.0) {
+            search.tried.push_back(trial_of(score_data, trial.hypothesis, now.hypothesis, trial.promised));
+        }
         if (!trial.hypothesis.admissible) {
             remark_on_end(score_data, trial.hypothesis, search);
             continue;
         }
         admissible += always ? 0 : 1;
-        trial.promised = share_removed(before, linear_beside(score_data, trial.hypothesis, now.noise, false).with({}));
         best = std::max(best, trial.promised);
         if (trial.promised > least_promised * least_removed) {
             done.dull.erase(addition.candidates);
@@ -264,10 +268,21 @@ PredictedModel settled(ScoreTestData& score_data, PredictedModel model) {
 
 }  // namespace
 
+AdditionDoubt doubt_of(const PredictionGain& gain, double beyond_doubt) {
+    if (gain.removed <= least_removed) {
+        return AdditionDoubt::too_small;
+    }
+    if (gain.low <= beyond_doubt) {
+        return AdditionDoubt::may_be_chance;
+    }
+    if (gain.worst > 1.0 + tolerated_rise + rise_of_removed * gain.removed) {
+        return AdditionDoubt::worsens_channel;
+    }
+    return gain.in_every_fold || gain.low > beyond_one_run ? AdditionDoubt::none : AdditionDoubt::worsens_part;
+}
+
 bool is_improvement(const PredictionGain& gain, double beyond_doubt) {
-    return gain.removed > least_removed && gain.low > beyond_doubt &&
-           (gain.in_every_fold || gain.low > beyond_one_run) &&
-           gain.worst <= 1.0 + tolerated_rise + rise_of_removed * gain.removed;
+    return doubt_of(gain, beyond_doubt) == AdditionDoubt::none;
 }
 
 PredictionSearch choose_base(ScoreTestData& score_data) {
@@ -334,10 +349,12 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
             one.gain = gain_over(now, one.model, score_data);
             // The best of several is the likelier by chance the less there is left to find.
             const double beyond_doubt = search.accepted.empty() ? 0.0 : least_removed;
+            if (one.model.out.ok) {
+                take_prediction(one.gain, doubt_of(one.gain, beyond_doubt), one.model.hypothesis, score_data,
+                                search.tried);
+            }
             if (one.model.out.ok && is_improvement(one.gain, beyond_doubt)) {
                 better.push_back(std::move(one));
-            } else if (one.model.out.ok) {
-                search.largest_gain = std::max(search.largest_gain, one.gain.removed);
             }
         }
         if (better.empty() && (done.are_all || std::exchange(is_second, true))) {
@@ -367,7 +384,6 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
     }
     search.gain = gain_over(search.base, search.best(), score_data);
     if (!is_improvement(search.gain)) {  // another fit of the case does as well without any cause
-        search.largest_gain = std::max(search.largest_gain, search.gain.removed);
         search.accepted.clear();
         search.alternatives.clear();
         search.gain = {};

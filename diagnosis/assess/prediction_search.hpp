@@ -27,6 +27,18 @@ struct Improvement {
     PredictionGain gain{};  ///< over the model before
 };
 
+/// Causes at sizes that the data gave them.
+struct SizedCauses {
+    std::vector<std::size_t> candidates;  ///< indices into ScoreTestData::candidates
+    std::vector<double> values;           ///< of their numbers
+};
+
+/// An addition that was fitted.
+struct TriedModel {
+    TriedAddition addition;
+    SizedCauses model{};  ///< all causes of the model with it
+};
+
 /// What a search by prediction found.
 struct PredictionSearch {
     PredictedModel base;  ///< the best predicting of the case as it stands, fitted with slow noise, with white
@@ -36,13 +48,14 @@ struct PredictionSearch {
     PredictionGain gain{};                  ///< of the last accepted over the base
     std::string mesh;                       ///< of the richer model that was accepted; empty: none
     Remarks remarks;                        ///< sizes nobody would believe, channels that get worse
-    double largest_gain = 0.0;              ///< of what was not accepted: share removed
+    std::vector<TriedModel> tried;          ///< what was fitted, in this order
 
     [[nodiscard]] const PredictedModel& best() const { return accepted.empty() ? base : accepted.back().model; }
 };
 
-/// Whether a gain is beyond chance, worth a number, and at the cost of no channel; of no run either, where it is small.
-/// @param beyond_doubt share of the mean square that the low end of its interval must be above
+/// What stands against a gain: it must be beyond chance, worth a number, and at the cost of no channel; of no run either, where it is
+/// small. @param beyond_doubt share of the mean square that the low end of its interval must be above
+[[nodiscard]] AdditionDoubt doubt_of(const PredictionGain& gain, double beyond_doubt = 0.0);
 [[nodiscard]] bool is_improvement(const PredictionGain& gain, double beyond_doubt = 0.0);
 
 /// Which of the case as it stands, the fit with correlated noise and the fit with white noise predicts data that were left

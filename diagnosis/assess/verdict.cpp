@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
+#include "diagnosis/assess/cause_description.hpp"
 #include "diagnosis/assess/diagnosis_state.hpp"
 
 namespace tiretherm::diagnosis {
@@ -32,17 +32,9 @@ constexpr double cost_of_number = 2.3;
 /// Above this gain a cause is so far from the linearisation at the base model that the noise is estimated again.
 constexpr double nonlinear_gain = 30.0;
 
-double n_causes(const ScoreTestData& score_data) {
-    std::set<std::size_t> causes;
-    for (const Candidate& candidate : score_data.candidates) {
-        causes.insert(candidate.cause);
-    }
-    return std::max<double>(1.0, static_cast<double>(causes.size()));
-}
-
 /// What a hypothesis is worth beside all others of its kind.
 double worth(const DiagnosisState& found, const FittedHypothesis& one) {
-    const double n = n_causes(found.score_data);
+    const auto n = std::max(1.0, static_cast<double>(n_causes(found.score_data)));
     const bool two = one.candidates.size() == 2;
     return one.gain - (two ? 2.0 : 1.0) * cost_of_number - std::log(two ? 0.5 * n * n : n);
 }

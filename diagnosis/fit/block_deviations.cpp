@@ -53,6 +53,26 @@ double length_of_blocks(const Observations& observations, const std::vector<Nois
     return std::clamp(forgotten * slowest, total / most, total / fewest);
 }
 
+std::vector<std::size_t> blocks_of_rows(const Observations& observations, double seconds) {
+    std::vector<std::size_t> first{0};
+    std::vector<std::pair<double, double>> spans;
+    for (std::size_t recording = 0; recording < observations.n_recordings(); ++recording) {
+        spans.push_back(observations.span_of(recording));
+        const double length = spans.back().second - spans.back().first;
+        first.push_back(first.back() +
+                        std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(length / seconds))));
+    }
+    std::vector<std::size_t> blocks;
+    for (const Observations::Row& what : observations.rows) {
+        const std::size_t recording = observations.recordings[what.run];
+        const auto [from, to] = spans[recording];
+        const std::size_t n = first[recording + 1] - first[recording];
+        const double share = to > from ? (observations.times[what.run][what.time] - from) / (to - from) : 0.0;
+        blocks.push_back(first[recording] + std::min(n - 1, static_cast<std::size_t>(share * static_cast<double>(n))));
+    }
+    return blocks;
+}
+
 BlockDeviations block_deviations(const Refit& fit, const Observations& observations, double seconds) {
     BlockDeviations found{.deviation = fit.deviations()};
     const Eigen::Index n = fit.values.size();
@@ -65,18 +85,12 @@ BlockDeviations block_deviations(const Refit& fit, const Observations& observati
     if (free.empty() || seconds <= 0.0) {
         return found;
     }
-    std::map<std::pair<std::size_t, long>, Eigen::VectorXd> scores;
-    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
-        const Observations::Row& what = observations.rows[row];
-        const std::size_t recording = observations.recordings[what.run];
-        const auto [from, to] = observations.span_of(recording);
-        const double length = to - from;
-        const long blocks = std::max(1L, std::lround(length / seconds));
-        const double share = length > 0.0 ? (observations.times[what.run][what.time] - from) / length : 0.0;
-        const long block = std::min(blocks - 1, static_cast<long>(share * static_cast<double>(blocks)));
+    std::map<std::size_t, Eigen::VectorXd> scores;
+    const std::vector<std::size_t> blocks = blocks_of_rows(observations, seconds);
+    for (std::size_t row = 0; row < blocks.size(); ++row) {
         const auto i = static_cast<Eigen::Index>(row);
         const Eigen::VectorXd slope = fit.slopes.row(i).transpose()(free);
-        auto [at, is_new] = scores.try_emplace({recording, block}, Eigen::VectorXd::Zero(slope.size()));
+        auto [at, is_new] = scores.try_emplace(blocks[row], Eigen::VectorXd::Zero(slope.size()));
         at->second += slope * fit.residual[i];
     }
     found.blocks = static_cast<int>(scores.size());

@@ -30,6 +30,10 @@ struct BlockDeviations {
 [[nodiscard]] double length_of_blocks(const Observations& observations, const std::vector<Noise>& noise,
                                       int fewest = 8);
 
+/// The block of time that each row is in, counted over all recordings: each is divided into whole blocks of about this length.
+/// @param seconds > 0  @returns [n_rows]
+[[nodiscard]] std::vector<std::size_t> blocks_of_rows(const Observations& observations, double seconds);
+
 /// Half of a 95 % interval of every number from how far it moves when a fold is left out: the jackknife (Quenouille, Biometrika
 /// 43 (1956) 353; Tukey 1958), with Student's t of as many folds.
 /// @param values [n_folds][n]  @returns [n]; empty with fewer than two folds

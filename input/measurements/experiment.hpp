@@ -98,6 +98,15 @@ struct MeasuredRun {
         not_driven{};  ///< what of the case's schedule or of the file is not simulated, a sentence each
 };
 
+/// A programme that the user can run.
+struct Manoeuvre {
+    std::string name;
+    solver::InputSignals inputs;  ///< that it gives
+    double start = 0.0;           ///< s
+    double end = 0.0;
+    std::vector<std::string> of_largest{};  ///< inputs that are shares of the largest that the runs have
+};
+
 /// A case with its measured runs and the numbers of it that may be fitted.
 struct Experiment {
     std::vector<MeasuredRun> runs;
@@ -107,6 +116,7 @@ struct Experiment {
     bool robust = false;               ///< outliers count less (Huber)
     std::vector<std::string> candidates{};  ///< effects (or "effect.key") that a diagnosis may name; empty: all
     std::vector<Instrument> instruments{};  ///< those of the case first, then those that are assumed
+    std::vector<Manoeuvre> possible{};      ///< as the next experiment
 };
 
 /// What of schedules and files is not simulated, with the runs' names; a sentence of all corners of a car once.

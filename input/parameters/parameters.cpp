@@ -263,6 +263,7 @@ void read_identify(TomlTable& root, Experiment& into) {
 
 SignalChoice read_diagnose(TomlTable& root, const solver::Problem& problem, Experiment& into) {
     TomlTable table = root.subtable("diagnose");
+    table.declare_keys({"possible"});  // read when all runs are known
     std::vector<std::string> known;
     for (const physics::Effect* effect : physics::catalogue()) {
         known.emplace_back(effect->id);

@@ -19,6 +19,7 @@
 #include "input/parameters/parameters.hpp"
 #include "input/runs/exchanged_sides.hpp"
 #include "input/runs/hot_spots.hpp"
+#include "input/runs/possible_manoeuvres.hpp"
 #include "input/runs/pyrometer.hpp"
 #include "input/runs/run_being_read.hpp"
 #include "input/runs/run_readings.hpp"
@@ -316,6 +317,7 @@ Runs read_runs(const TomlValue& document, const std::string& name, const std::ve
         into.experiment.instruments = measured_instruments(into.experiment.instruments, into.experiment.runs);
     }
     choose_signals(read.signals, into.experiment.runs, errors);
+    into.experiment.possible = read_possible(document, into.experiment.runs, errors);
     into.data_warnings = render(read.of_data, into.corners.size());
     return std::move(into);
 }

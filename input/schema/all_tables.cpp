@@ -29,6 +29,9 @@ const std::map<std::string_view, std::string_view, std::less<>>& described_as() 
         {"material.conductivity_meridian", "law"},
         {"material.conductivity_circumference", "law"},
         {"tire.grip.adhesion", "law"},
+        {"diagnose.possible.drive", "drive"},
+        {"diagnose.possible.drive.schedule", "drive.schedule"},
+        {"diagnose.possible.drive.file", "drive.file"},
         {"number.over", "number.minus"},
         {"number.over.minus", "number.minus"},
     };

@@ -42,6 +42,13 @@ std::vector<TableKeys> fit_tables() {
             texts("candidates", "Ids of effects, or `effect.key` for one parameter. An effect of the list that is on has its parameters doubted. Default: every parameter with an absent value of every effect that is off, whose inputs are given and whose place the mesh has."),
             texts("signals", "Columns of the files, not used by the model, that an unknown cause may follow: these and no others, whatever they are; `*` stands for any characters, `?` for one. Inputs are tried in any case. Default: the columns that drive the tire; its temperatures, copies, results and clocks are left out."),
             texts("ignore", "Columns that no cause may follow, in the same form. Default: none."),
+            tables("possible", "Manoeuvres that can be run as the next experiment: of these the one is proposed that tells the explanations apart best. Default: those of [manoeuvres.toml](../cases/manoeuvres.toml)."),
+        }},
+        {"diagnose.possible", TableForm::list,
+         "A manoeuvre: a name and what drives the tire while it lasts. Slips, forces and the laser that it does not give are zero; other inputs are what they are when the first run begins.", {
+            text("name", "What it is called where it is proposed.").required(),
+            value("drive", "Inputs as of the case's `[drive]`, with a `schedule`, or a `file` such as that of an earlier drive. A slip angle without `lateral_force` makes the force that it has made in the runs.").required(),
+            texts("of_largest", "Inputs of it that are shares, 0 to 1, of the largest value that the runs have: `of_largest = [\"laser_power\"]`. Default: none."),
         }},
         {"critical", TableForm::list,
          "A temperature that a part of the tire should not pass. The part is where layers, zones and materials meet. `run` says where it is hottest, between the cells, when it passes the temperature and in which step, or how much is left ([page](../cases/durability/README.md)).", {

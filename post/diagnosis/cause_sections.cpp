@@ -100,6 +100,10 @@ ReportSection interpretation(const DiagnosisRecord& record) {
 
 ReportSection causes_section(const Diagnosis& result) {
     ReportSection section("Candidate causes");
+    // A search by prediction weighs no likelihoods: its causes are those of the verdict.
+    if (std::ranges::none_of(result.causes, [](const Cause& cause) { return cause.gain > 0.0; })) {
+        return section;
+    }
     DataTable table;
     std::size_t others = 0;
     for (const Cause& cause : result.causes) {

@@ -14,6 +14,7 @@
 #include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/diagnosis/residual_breakdown.hpp"
 #include "post/diagnosis/run_verdicts.hpp"
+#include "post/diagnosis/tried_sections.hpp"
 #include "post/diagnosis/unused_columns.hpp"
 #include "post/page/observed_series.hpp"
 #include "post/page/page_origin.hpp"
@@ -33,22 +34,6 @@ namespace {
 /// Windows of missing heat that are listed.
 constexpr std::size_t most_windows = 5;
 
-DataTable limits(const Diagnosis& result) {
-    DataTable table;
-    for (const UpperLimit& limit : result.limits) {
-        const double half = 0.5 * (limit.high - limit.low);
-        const std::string cause = name_of(Cause{.id = limit.id, .channel = limit.channel, .place = limit.place});
-        table.add({{"cause", "id", {limit.id, cause, false}},
-                   data_only("channel", text_or_null(limit.channel)),
-                   data_only("place", text_or_null(limit.place)),
-                   {"parameter", "key", limit.key},
-                   {"unit", "unit", {slashed_unit(limit.unit), unit_or_dash(limit.unit), false}},
-                   {"95 % from", "low", {limit.low, to_its_digits(limit.low, half)}},
-                   {"to", "high", {limit.high, to_its_digits(limit.high, half)}}});
-    }
-    return table;
-}
-
 ReportSection next_section(const Diagnosis& result) {
     ReportSection section("Discriminating experiments");
     DataTable table;
@@ -58,7 +43,9 @@ ReportSection next_section(const Diagnosis& result) {
     }
     if (!table.empty()) {
         section.add(std::move(table));
-        section.say("sigma: standard deviations by which the explanations differ");
+        section.say(fmt::format(
+            "sigma: standard deviations by which {} differ",
+            result.told_apart.empty() ? "the explanations" : fmt::format("{}", fmt::join(result.told_apart, " and "))));
         add_experiment_chart(section, result);
     }
     return section;
@@ -91,21 +78,19 @@ std::string base_of(const Gain& gain) {
 ReportSection gain_section(const DiagnosisRecord& record, DataTable table) {
     ReportSection section("Gain");
     const Gain& gain = record.result.gain;
-    if (table.empty()) {
+    if (table.empty() || !gain.measured) {  // what is left of each sensor is said where it shows
         return section;
     }
     section.add(std::move(table));
-    if (gain.measured) {
-        const double decades = gain.log_e / std::log(10.0);
-        section.say(fmt::format(
-            "On {} that took no part in fitting, {:.0f} % of the error that a model could remove (mean square) is "
-            "removed (95 %: {:.0f} to {:.0f} %){}; {}.",
-            gain.within_run ? "blocks of the run" : "runs", 100.0 * gain.removable_removed, 100.0 * gain.low,
-            100.0 * gain.high, gain.over == BaseModel::none ? "" : ", measured against " + base_of(gain),
-            gain.confirmed ? fmt::format("confirmed there, at odds of {}",
-                                         decades > 6.0 ? "more than 10^6" : fmt::format("10^{:.0f}", decades))
-                           : "not confirmed there"));
-    }
+    const double decades = gain.log_e / std::log(10.0);
+    section.say(fmt::format(
+        "On {} that took no part in fitting, {:.0f} % of the error that a model could remove (mean square) is "
+        "removed (95 %: {:.0f} to {:.0f} %){}; {}.",
+        gain.within_run ? "blocks of the run" : "runs", 100.0 * gain.removable_removed, 100.0 * gain.low,
+        100.0 * gain.high, gain.over == BaseModel::none ? "" : ", measured against " + base_of(gain),
+        gain.confirmed ? fmt::format("confirmed there, at odds of {}",
+                                     decades > 6.0 ? "more than 10^6" : fmt::format("10^{:.0f}", decades))
+                       : "not confirmed there"));
     add_channel_gain_charts(section, record);
     add_held_out_chart(section, record);
     return section;
@@ -180,22 +165,20 @@ ReportSection missing_heat_section(const DiagnosisRecord& record, DataTable tabl
 }
 
 /// What is left beyond the sensors' noise.
-DataTable model_error(const DiagnosisRecord& record) {
-    DataTable table;
+Value model_error_data(const DiagnosisRecord& record) {
+    Value::List list;
     for (const ModelError& error : record.result.model_error) {
         const solver::Channel& channel = record.experiment.runs.front().problem.channels[error.channel];
-        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        table.add({{"channel", "channel", channel.name},
-                   page_only("unit", difference_unit(unit.name)),
-                   {"beyond the noise, rms", "size", shown("{:.2g}", unit.difference(error.size))},
-                   {"correlation time [s]", "time_scale", shown("{:.2g}", error.time_scale)}});
+        list.push_back({{"channel", channel.name},
+                        {"size", solver::shown_unit(channel.quantity).difference(error.size)},
+                        {"time_scale", error.time_scale}});
     }
-    return table;
+    return list;
 }
 
-DataTable free_numbers(const Diagnosis& result) {
+DataTable free_numbers(const std::vector<FreeNumber>& numbers) {
     DataTable table;
-    for (const FreeNumber& one : result.free_numbers) {
+    for (const FreeNumber& one : numbers) {
         const double half = 0.5 * (one.high - one.low);
         table.add({{"parameter", "name", one.name},
                    {"unit", "unit", {slashed_unit(one.unit), unit_or_dash(one.unit), false}},
@@ -204,6 +187,20 @@ DataTable free_numbers(const Diagnosis& result) {
                    {"to", "high", {one.high, to_its_digits(one.high, half)}}});
     }
     return table;
+}
+
+Value richer_meshes_data(const Diagnosis& result) {
+    Value::List list;
+    for (const RicherMesh& mesh : result.richer_meshes) {
+        list.push_back({{"name", mesh.name},
+                        {"better", mesh.is_better},
+                        {"taken", mesh.is_taken},
+                        {"error_removed", mesh.removed},
+                        {"low", mesh.low},
+                        {"high", mesh.high},
+                        {"free_numbers", free_numbers(mesh.numbers).data()}});
+    }
+    return list;
 }
 
 Value held_out_data(const Diagnosis& result) {
@@ -227,15 +224,19 @@ DataTable noise(const DiagnosisRecord& record) {
         const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
         const auto show = [&](double si) { return shown("{:.3g}", unit.difference(si)); };
         const std::string time = noise.white_share < 1.0 ? fmt::format("{:.3g} s", noise.correlation_time) : "white";
-        table.add({{"channel", "channel", channel.name},
-                   page_only("unit", difference_unit(unit.name)),
-                   {"sigma", "sigma", show(noise.sigma)},
-                   page_only("data sheet", channel.standard_deviation ? show(*channel.standard_deviation) : right("-")),
-                   page_only("correlation time", right(time)),
-                   data_only("rho_1s", noise.rho_1s()),
-                   {"white-noise share",
-                    "white_share",
-                    {noise.white_share, fmt::format("{:.0f} %", 100.0 * noise.white_share)}}});
+        const auto error =
+            std::ranges::find(record.result.model_error, record.observations.channels[i], &ModelError::channel);
+        const bool has_error = error != record.result.model_error.end();
+        table.add(
+            {{"channel", "channel", channel.name},
+             page_only("unit", difference_unit(unit.name)),
+             {"sigma", "sigma", show(noise.sigma)},
+             page_only("data sheet", channel.standard_deviation ? show(*channel.standard_deviation) : right("-")),
+             page_only("correlation time", right(time)),
+             data_only("rho_1s", noise.rho_1s()),
+             {"white share", "white_share", {noise.white_share, fmt::format("{:.0f} %", 100.0 * noise.white_share)}},
+             page_only("left", has_error ? show(error->size) : right("-")),
+             page_only("for", right(has_error ? fmt::format("{:.2g} s", error->time_scale) : "-"))});
     }
     return table;
 }
@@ -244,11 +245,9 @@ DataTable noise(const DiagnosisRecord& record) {
 
 Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::filesystem::path>& files) {
     const Diagnosis& result = record.result;
-    DataTable of_limits = limits(result);
     DataTable of_channels = channels(record);
     DataTable of_noise = noise(record);
-    DataTable of_error = model_error(record);
-    DataTable of_numbers = free_numbers(result);
+    DataTable of_numbers = free_numbers(result.free_numbers);
     DataTable of_heat = missing_heat(record);
     Report report{.title = record.experiment.runs.front().problem.title};
     report.lead = {fmt::format("{}, {} values, {}; {} simulations, {}", plural(record.experiment.runs.size(), "run"),
@@ -265,12 +264,16 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                    {"unknown", result.unknown ? unknown_data(*result.unknown, record.experiment) : Value()},
                    {"reason", reason_of(record)},
                    {"next_experiment", result.next.empty() ? "" : text_of(result.next.front())},
+                   {"told_apart", result.told_apart},
                    {"channels", of_channels.data()},
                    {"gain", gain_data(result.gain)},
-                   {"limits", of_limits.data()},
+                   {"limits", limits_table(result).data()},
+                   {"tried", tried_table(record).data()},
+                   {"candidates", result.n_candidates},
+                   {"richer_meshes", richer_meshes_data(result)},
                    {"numerical_error_sigma", result.numerical_error_sigma},
                    {"noise", of_noise.data()},
-                   {"model_error", of_error.data()},
+                   {"model_error", model_error_data(record)},
                    {"free_numbers", of_numbers.data()},
                    {"held_out_gains", held_out_data(result)},
                    {"missing_heat", of_heat.data()},
@@ -283,6 +286,8 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
         verdict.push_back(fmt::format("Best answer after {}: {}", seconds_text(result.seconds), stop_text(result)));
     }
     report.add_verdict(std::move(verdict));
+    report.appendix.push_back(ReportSection("All additions that were fitted", tried_table(record)));
+    report.appendix.push_back(ReportSection("Upper limits of all causes (95 %)", limits_table(result)));
     report.appendix.push_back(citations_section(record.experiment.runs.front().problem));
     report.add(interpretation(record));
     report.add(run_verdicts_section(record));
@@ -293,12 +298,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
     std::vector<MeasuredSeries> series = observed_series(record.experiment, record.observations, models);
     add_noise(series, record);
     report.add(measured_section(series, inputs_of_runs(record.experiment)));
-    if (!of_error.empty()) {
-        ReportSection of_error_section("Error of the model that is left", std::move(of_error));
-        of_error_section.say(
-            "These differences are no noise of the sensors. The intervals of all parameters are widened by them.");
-        report.add(std::move(of_error_section));
-    }
+    report.add(tried_section(record));
     report.add(next_section(result));
     report.add(residual_breakdown(record));
     const bool is_extended = models.size() > 1;
@@ -306,14 +306,21 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                          is_extended ? " with the extended model" : " after the fit");
     report.add(missing_heat_section(record, std::move(of_heat)));
     report.add(causes_section(result));
-    report.add(ReportSection("Upper limits (95 %)", std::move(of_limits)));
+    report.add(limits_section(record));
     report.add(gain_section(record, std::move(of_channels)));
-    report.add(ReportSection("Free parameters", std::move(of_numbers)));
+    ReportSection of_numbers_section("Free parameters", std::move(of_numbers));
+    if (!result.model_error.empty() && of_numbers_section.has_text()) {
+        of_numbers_section.say("The intervals are widened by what the model leaves beyond the sensors' noise.");
+    }
+    report.add(std::move(of_numbers_section));
     ReportSection of_noise_section = ReportSection("Noise", std::move(of_noise));
     if (!result.noise.empty() && result.numerical_error_sigma > 0.0) {
         of_noise_section.say(
             fmt::format("The discretisation error of steps and grid amounts to {:.2g} standard deviations.",
                         result.numerical_error_sigma));
+    }
+    if (!result.model_error.empty()) {
+        of_noise_section.say("left: rms of the model's error beyond the noise, and how long it lasts at a time.");
     }
     report.add(std::move(of_noise_section));
     report.add(unused_columns_section(record.experiment));

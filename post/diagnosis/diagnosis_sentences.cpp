@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "post/diagnosis/tried_sections.hpp"
+#include "post/diagnosis/where_it_shows.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/remark_text.hpp"
 #include "post/report/stage_text.hpp"
@@ -49,11 +51,24 @@ std::string named(const Diagnosis& diagnosis) {
                        one.size() == 2 ? "Two" : fmt::format("{}", one.size()), text);
 }
 
+/// Standard deviations from which on two explanations can be told apart.
+constexpr double enough = 2.0;
+
 std::string separation_sentence(const NextExperiment& next) {
     return fmt::format(
         "To tell them apart: {}. This additional test would raise their separation from {:.2g} to {:.2g} standard "
         "deviations (2 to 3 are needed).",
         next.name, next.now, next.then);
+}
+
+std::string next_sentence(const Diagnosis& diagnosis) {
+    const NextExperiment& next = diagnosis.next.front();
+    if (diagnosis.told_apart.empty()) {
+        return fmt::format("Next measurement: {}.", next.name);
+    }
+    return fmt::format("Next measurement: {}. It would tell {} by {:.2g} standard deviations, now {:.2g}{}.", next.name,
+                       fmt::join(diagnosis.told_apart, " from "), next.then, next.now,
+                       next.then < enough ? "; 2 to 3 are needed, and no manoeuvre that is possible brings them" : "");
 }
 
 std::string confounded(const Diagnosis& diagnosis, const input::Experiment& experiment) {
@@ -123,7 +138,37 @@ std::string partial(const DiagnosisRecord& record) {
     return others.empty() ? text : fmt::format("{} Equally consistent with the data: {}.", text, others);
 }
 
-std::string cannot_tell(const Diagnosis& diagnosis) {
+/// What is nearest to an answer, with its doubt.
+std::string best_of_tried(const DiagnosisRecord& record) {
+    const Diagnosis& diagnosis = record.result;
+    if (diagnosis.n_candidates == 0) {
+        return "No cause is certain: too little is left beside the free parameters. Longer runs, runs under other "
+               "conditions or more sensors would help.";
+    }
+    const std::string none = fmt::format("No cause is certain: none of {} predicts data that were left out better",
+                                         plural(diagnosis.n_candidates, "candidate"));
+    if (diagnosis.tried.empty()) {
+        return none + ".";
+    }
+    const TriedAddition& best = diagnosis.tried.front();
+    const bool within_run = record.observations.n_recordings() == 1;
+    if (best.removed <= 0.0) {
+        return fmt::format("{}. The nearest is {}.", none, name_of(best));
+    }
+    const double rms = 100.0 * (1.0 - std::sqrt(1.0 - std::min(1.0, best.removed)));
+    const auto of_rms = [](double share) { return 100.0 * (1.0 - std::sqrt(std::max(0.0, 1.0 - share))); };
+    const std::string doubt =
+        best.is_tested() ? fmt::format(" (95 %: {:.0f} to {:.0f} %)", of_rms(best.low), of_rms(best.high)) : "";
+    return fmt::format(
+        "No cause is certain. Best of {}: {}. It would remove {:.0f} % of the error (rms) on data that "
+        "were left out{}; {}.",
+        plural(diagnosis.n_candidates, "candidate"), name_of(best), rms, doubt,
+        best.doubt == AdditionDoubt::none ? "another fit of the case does as well without it"
+                                          : text_of(best.doubt, within_run));
+}
+
+std::string cannot_tell(const DiagnosisRecord& record) {
+    const Diagnosis& diagnosis = record.result;
     const std::string reason = diagnosis.reason ? text_of(*diagnosis.reason) : "";
     if (diagnosis.stopped != Part::none) {
         return fmt::format("No answer after {}: {}{}{}", seconds_text(diagnosis.seconds), stop_text(diagnosis),
@@ -139,8 +184,7 @@ std::string cannot_tell(const Diagnosis& diagnosis) {
             "every direction would do.",
             diagnosis.numerical_error_sigma, coarse, std::sqrt(diagnosis.numerical_error_sigma / coarse));
     }
-    return "These data do not allow a diagnosis: too little is left beside the free parameters. Longer runs, runs "
-           "under other conditions or more sensors would help.";
+    return best_of_tried(record);
 }
 
 }  // namespace
@@ -282,16 +326,14 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
         }
         said.push_back(text);
     }
-    if (!result.model_error.empty()) {
-        const ModelError& most = *std::ranges::max_element(result.model_error, {}, &ModelError::in_noise);
-        const solver::Channel& channel = record.experiment.runs.front().problem.channels[most.channel];
-        const solver::ShownUnit unit = solver::shown_unit(channel.quantity);
-        said.push_back(fmt::format(
-            "Remaining error: {} differs by {:.2g} {} rms beyond its noise. At least one more effect is missing.",
-            channel.name, unit.difference(most.size), difference_unit(unit.name)));
+    if (const std::string where = where_it_shows(record); !where.empty()) {
+        said.push_back("Remaining error: " + where);
+    }
+    if (const std::string mesh = richer_mesh_sentence(record); !mesh.empty()) {
+        said.push_back(mesh);
     }
     if (!result.next.empty() && result.verdict != Verdict::confounded) {
-        said.push_back(fmt::format("Next measurement: {}.", result.next.front().name));
+        said.push_back(next_sentence(result));
     }
     return said;
 }
@@ -314,7 +356,7 @@ std::string verdict_sentence(const DiagnosisRecord& record) {
                 "else acts is smaller than its upper limit.{}",
                 diagnosis.reason ? " " + text_of(*diagnosis.reason) : "");
         case Verdict::cannot_tell:
-            return cannot_tell(diagnosis);
+            return cannot_tell(record);
         case Verdict::partial:
             return partial(record);
     }

@@ -228,7 +228,7 @@ Value page_data(const fs::path& folder, const PageCharts& page, const std::vecto
             const std::string file = (folder / picture_folder / page.charts[i].picture).generic_string();
             const std::string& png = pictures[i].png;
             chart.set({{"file", file}, {"width", size_at(png, 16)}, {"height", size_at(png, 20)}});
-            outputs.push_back(file);
+            outputs.emplace_back(file);
         }
         charts.push_back(std::move(chart));
     }

@@ -112,10 +112,6 @@ const std::array wordings{
         remark::too_few_values,
         "{} values for {} free parameters and {} noises leave nothing to judge the model by. Longer runs, more sensors "
         "or fewer free parameters would help."),
-    words(
-        remark::nothing_predicts_better,
-        "the model has an error beyond the sensors' noise, and nothing that was tried predicts data that were left out "
-        "better beyond chance; the best removes {:.0f} % of the mean square."),
     words(remark::best_so_far, "Best so far, not fitted: {}."),
     words(remark::without_cause, "without any cause, {}"),
     words(remark::fits_at_end_of_range,

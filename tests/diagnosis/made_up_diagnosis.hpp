@@ -106,7 +106,43 @@ inline MadeUp consistent() {
     MadeUp one(Verdict::consistent);
     one.result.limits = {
         {.id = "sidewall_convection", .key = "conductance", .unit = "W K-1", .low = 0.0, .high = 0.8},
-        {.id = "sensor_offset", .channel = "bulk_temperature", .key = "kelvin", .unit = "K", .low = -0.2, .high = 0.3}};
+        {.id = "sensor_offset", .channel = "bulk_temperature", .key = "kelvin", .unit = "K", .low = -0.2, .high = 0.3},
+        {.id = "sensor_lag", .channel = "surface_temperature", .key = "tau", .unit = "s", .low = 0.0, .high = 0.6},
+        {.id = "sensor_lag", .channel = "bulk_temperature", .key = "tau", .unit = "s", .low = 0.0, .high = 2.1}};
+    return one;
+}
+/// A search by prediction that took nothing: a lag that may be chance, a film that worsens a sensor, an emissivity at its end.
+inline MadeUp nothing_predicts() {
+    MadeUp one(Verdict::cannot_tell);
+    one.result.extended = one.result.base;
+    one.result.n_candidates = 42;
+    Cause late = lag();
+    late.channel = "surface_temperature";
+    late.numbers.front() = {.key = "tau", .unit = "s", .value = 1.4, .low = 0.9, .high = 1.9};
+    const auto number = [](const char* key, double value, double low, double high) {
+        return CauseNumber{.key = key, .unit = "1", .value = value, .low = low, .high = high};
+    };
+    one.result.tried = {{.causes = {late},
+                         .doubt = AdditionDoubt::may_be_chance,
+                         .removed = 0.36,
+                         .low = -0.04,
+                         .high = 0.51,
+                         .change = ChannelChange{.channel = 0, .before = 2.1, .after = 1.7, .low = -0.1, .high = 0.6}},
+                        {.causes = {{.id = "convection_exponent", .numbers = {number("exponent", 0.7, 0.6, 0.8)}}},
+                         .doubt = AdditionDoubt::worsens_channel,
+                         .removed = 0.10,
+                         .low = 0.02,
+                         .high = 0.15,
+                         .change = ChannelChange{.channel = 1, .before = 1.0, .after = 0.9, .low = 0.02, .high = 0.15}},
+                        {.causes = {{.id = "camera_emissivity",
+                                     .channel = "surface_temperature",
+                                     .numbers = {number("emissivity", 0.8, 0.8, 0.8)}}},
+                         .doubt = AdditionDoubt::end_of_range,
+                         .removed = 0.0975},
+                        {.causes = {gas()}, .doubt = AdditionDoubt::not_tested, .removed = 0.01}};
+    one.result.model_error = {{.channel = 0, .size = 1.2, .time_scale = 2.0, .noise = 0.5}};
+    one.result.next = {{.name = "coast-down from 150 km/h, 5 min", .now = 0.4, .then = 3.1}};
+    one.result.told_apart = {"sensor_lag of surface_temperature", "convection_exponent"};
     return one;
 }
 inline MadeUp cannot_tell() {

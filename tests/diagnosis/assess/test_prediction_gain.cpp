@@ -61,6 +61,11 @@ TEST(PredictionGain, CountsChannelsAlike) {
     EXPECT_NEAR(gain.log_odds, 600.0 * (std::log(4.0) - std::log(1.21)), 1e-6);
     EXPECT_NEAR(gain.removable, 0.5 * ((1.0 - 0.25 / 4.0) + (1.0 - 0.25)), 1e-12);
     EXPECT_TRUE(gain.in_every_fold);
+    ASSERT_EQ(gain.channels.size(), 2u);
+    EXPECT_NEAR(gain.channels[0].before, 2.0, 1e-12);
+    EXPECT_NEAR(gain.channels[0].after, 1.0, 1e-12);
+    EXPECT_NEAR(gain.channels[0].low, 1.0, 1e-12);
+    EXPECT_NEAR(gain.channels[1].high, -0.1, 1e-12);
 }
 
 TEST(PredictionGain, SeesARunThatGetsWorse) {
@@ -114,6 +119,11 @@ TEST(PredictionGain, IsAnImprovementBeyondChanceAndAtTheCostOfNothing) {
         change(one);
         return one;
     };
+    EXPECT_EQ(doubt_of(good), AdditionDoubt::none);
+    EXPECT_EQ(doubt_of(changed([](PredictionGain& one) { one.removed = 0.02; })), AdditionDoubt::too_small);
+    EXPECT_EQ(doubt_of(changed([](PredictionGain& one) { one.low = -0.01; })), AdditionDoubt::may_be_chance);
+    EXPECT_EQ(doubt_of(changed([](PredictionGain& one) { one.worst = 1.041; })), AdditionDoubt::worsens_channel);
+    EXPECT_EQ(doubt_of(changed([](PredictionGain& one) { one.in_every_fold = false; })), AdditionDoubt::worsens_part);
     EXPECT_FALSE(is_improvement(changed([](PredictionGain& one) { one.removed = 0.02; })));
     EXPECT_FALSE(is_improvement(changed([](PredictionGain& one) { one.low = -0.01; })));
     const PredictionGain small = changed([](PredictionGain& one) { one.low = 0.02; });
