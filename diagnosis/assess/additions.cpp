@@ -76,6 +76,11 @@ LinearPrediction linear_beside(const ScoreTestData& score_data, const FittedHypo
     }
     Signatures beside{
         .raw = Eigen::MatrixXd(model.left.size(), 0), .white = Eigen::MatrixXd(model.left.size(), 0), .bounds = {}};
+    for (std::size_t j = 0; j < now.model.parameters.size(); ++j) {
+        const auto i = static_cast<Eigen::Index>(j);
+        beside.bounds_of_numbers.emplace_back((now.model.parameters[j].low - now.fit.values[i]) / now.fit.scale[i],
+                                              (now.model.parameters[j].high - now.fit.values[i]) / now.fit.scale[i]);
+    }
     if (with_candidates) {
         beside.raw = score_data.signatures;
         beside.white = white(beside.raw);
@@ -121,6 +126,18 @@ std::vector<CauseGroup> additions_to(const ScoreTestData& score_data, const Fitt
         return !taken.insert(causes).second;
     });
     return all;
+}
+
+double worth_of(double removed, const FittedHypothesis& one) {
+    return removed - superfluous * static_cast<double>(one.candidates.size());
+}
+
+bool is_other(const ScoreTestData& score_data, const FittedHypothesis& one, const FittedHypothesis& best) {
+    return std::ranges::any_of(one.candidates, [&](std::size_t k) {
+        return std::ranges::all_of(best.candidates, [&](std::size_t other) {
+            return can_stand_beside(score_data.candidates[k], score_data.candidates[other]);
+        });
+    });
 }
 
 }  // namespace tiretherm::diagnosis

@@ -30,4 +30,13 @@ struct CauseGroup {
 [[nodiscard]] std::vector<CauseGroup> additions_to(const ScoreTestData& score_data, const FittedHypothesis& now,
                                                    const LinearPrediction& linear);
 
+/// A cause is dropped again when the model without it predicts no worse than by this share of the mean square.
+inline constexpr double superfluous = 0.01;
+
+/// What an addition removes, less what each of its numbers has to be worth.
+[[nodiscard]] double worth_of(double removed, const FittedHypothesis& one);
+
+/// Whether a model has a cause that is not in another in some form: two delays of inputs are not another cause than one of both.
+[[nodiscard]] bool is_other(const ScoreTestData& score_data, const FittedHypothesis& one, const FittedHypothesis& best);
+
 }  // namespace tiretherm::diagnosis

@@ -71,14 +71,20 @@ void fit_from(ScoreTestData& score_data, const Values& from, const Covariance& n
 constexpr int few_turns = 6;
 constexpr int many_turns = 12;
 
-/// Of the causes from `first` on one that ended where it changes nothing.
-std::optional<std::size_t> absent_one(const ScoreTestData& score_data, const FittedHypothesis& one, std::size_t first) {
+/// Of the causes from `first` on one that ended where it changes nothing, or else at the end of what is plausible.
+std::optional<std::size_t> to_be_left_out(const ScoreTestData& score_data, const FittedHypothesis& one,
+                                          std::size_t first) {
+    std::optional<std::size_t> at_end;
     for (std::size_t i = first; i < one.candidates.size(); ++i) {
-        if (one.fit.values[one.number_of(i)] == score_data.candidates[one.candidates[i]].absent) {
+        const Eigen::Index j = one.number_of(i);
+        if (one.fit.values[j] == score_data.candidates[one.candidates[i]].absent) {
             return i;
         }
+        if (!at_end && one.fit.at_bound[static_cast<std::size_t>(j)]) {
+            at_end = i;
+        }
     }
-    return std::nullopt;
+    return at_end;
 }
 
 }  // namespace
@@ -100,17 +106,18 @@ FittedHypothesis extended(ScoreTestData& score_data, const FittedHypothesis& fro
     }
     FittedHypothesis one = unfitted(score_data, causes);
     fit_from(score_data, values, noise, few_turns, one);
-    std::optional<std::size_t> absent;
-    while (one.sound && (absent = absent_one(score_data, one, from.candidates.size())) &&
+    // What is added together need not be wrong together: the rest is fitted without the part that does not fit in.
+    std::optional<std::size_t> misfit;
+    while (one.sound && (misfit = to_be_left_out(score_data, one, from.candidates.size())) &&
            one.candidates.size() > from.candidates.size() + 1) {
-        one = reduced(score_data, one, *absent, noise);
+        one = reduced(score_data, one, *misfit, noise);
     }
     if (!one.sound) {
         return one;
     }
     one.gain = 0.5 * (from.fit.cost - one.fit.cost);
-    one.admissible = !absent;
-    for (std::size_t i = 0; i < one.candidates.size(); ++i) {
+    one.admissible = !misfit;
+    for (std::size_t i = 0; i < from.candidates.size(); ++i) {
         one.admissible = one.admissible && !one.fit.at_bound[static_cast<std::size_t>(one.number_of(i))];
     }
     return one;

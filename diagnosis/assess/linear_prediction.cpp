@@ -36,9 +36,12 @@ LinearPrediction::LinearPrediction(const LinearisedModel& model, const Signature
       last_(n_ + beside.raw.cols()),
       precision_(Eigen::VectorXd::Zero(last_)),
       pull_(Eigen::VectorXd::Zero(last_)),
-      bounds_(beside.bounds),
+      bounds_(beside.bounds_of_numbers),
       own_(own),
       count_(n_noises, 0.0) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    bounds_.resize(static_cast<std::size_t>(n_), {-infinite, infinite});
+    bounds_.insert(bounds_.end(), beside.bounds.begin(), beside.bounds.end());
     precision_.head(n_) = model.precision;
     pull_.head(n_) = model.precision.cwiseSqrt().cwiseProduct(model.known);
     const Eigen::MatrixXd white = side_by_side(model.slopes, beside.white, model.residual);
@@ -92,16 +95,16 @@ Eigen::VectorXd LinearPrediction::solution(const Eigen::MatrixXd& sums, const st
     return start + scale.cwiseProduct(unit.llt().solve(scale.cwiseProduct(right)));
 }
 
-/// The same with the amplitudes of the signatures within their bounds.
+/// The same with every step within its bounds: what the rest of the data hardly tell would go anywhere.
 Eigen::VectorXd LinearPrediction::bounded(const Eigen::MatrixXd& sums, const std::vector<Eigen::Index>& columns) const {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(columns.size()));
     std::vector<bool> held(columns.size(), false);
     const Eigen::VectorXd free = solution(sums, columns, none, held);
     Eigen::VectorXd start = none;
     bool any = false;
-    for (auto i = static_cast<std::size_t>(n_); i < columns.size(); ++i) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(i);
-        const auto [low, high] = bounds_[static_cast<std::size_t>(columns[i] - n_)];
+        const auto [low, high] = bounds_[static_cast<std::size_t>(columns[i])];
         if (free[at] < low || free[at] > high) {
             start[at] = std::clamp(free[at], low, high);
             held[i] = any = true;

@@ -18,6 +18,8 @@ struct Signatures {
     Eigen::MatrixXd raw;                            ///< [n_rows][m] SI per unit of each
     Eigen::MatrixXd white;                          ///< the same, whitened
     std::vector<std::pair<double, double>> bounds;  ///< [m] of the amplitude of each: it is held within them
+    /// [n] of the steps of the model's own numbers, likewise; empty: none has any.
+    std::vector<std::pair<double, double>> bounds_of_numbers{};
 };
 
 /// A linearised model with signatures beside it, and the sums of products that its least squares need. Each fold is left out in turn:
@@ -52,7 +54,7 @@ private:
     Eigen::Index last_;          ///< the column of what is left
     Eigen::VectorXd precision_;  ///< [n + m] 0 of signatures
     Eigen::VectorXd pull_;       ///< [n + m]
-    std::vector<std::pair<double, double>> bounds_;
+    std::vector<std::pair<double, double>> bounds_;  ///< [n + m]
     std::vector<std::vector<bool>> own_;
     Eigen::MatrixXd all_;  ///< whitened, of all rows
     std::vector<FoldSums> folds_;

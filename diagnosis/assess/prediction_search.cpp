@@ -48,8 +48,6 @@ constexpr double beyond_one_run = 0.1;
 constexpr int most_turns = 2;
 /// White noise is taken where it predicts the temperatures better by this share of the rms.
 constexpr double better_by = 0.02;
-/// A cause is dropped again when the model without it predicts no worse than by this share of the mean square.
-constexpr double superfluous = 0.01;
 /// Of what an addition must remove, the part that the linearised model must promise of it.
 constexpr double least_promised = 0.7;
 
@@ -179,7 +177,7 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
             trials.push_back(std::move(trial));
         }
     }
-    std::ranges::sort(trials, std::greater{}, &Trial::promised);
+    std::ranges::sort(trials, std::greater{}, [](const Trial& one) { return worth_of(one.promised, one.hypothesis); });
     trials.resize(std::min(trials.size(), effort.tested));
     return trials;
 }
@@ -363,11 +361,13 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
         if (better.empty()) {
             continue;
         }
-        std::ranges::sort(better, std::greater{}, [](const Improvement& one) { return one.gain.removed; });
+        std::ranges::sort(better, std::greater{},
+                          [](const Improvement& one) { return worth_of(one.gain.removed, one.model.hypothesis); });
         if (search.accepted.empty()) {
             for (std::size_t i = 1; i < better.size(); ++i) {
                 // As good as the best as far as these data tell: the difference of the two has an interval around zero.
-                if (gain_over(better[i].model, better.front().model, score_data).low <= 0.0) {
+                if (is_other(score_data, better[i].model.hypothesis, better.front().model.hypothesis) &&
+                    gain_over(better[i].model, better.front().model, score_data).low <= 0.0) {
                     search.alternatives.push_back(better[i]);
                 }
             }

@@ -80,7 +80,7 @@ std::vector<UpperLimit> upper_limits(const DiagnosisState& state) {
         const Candidate& candidate = score_data.candidates[k];
         const auto i = static_cast<Eigen::Index>(k);
         const double length = scores.length[i];
-        if (length == 0.0 || is_in_answer(candidate)) {
+        if (length == 0.0 || is_in_answer(candidate) || is_common_delay(candidate)) {
             continue;
         }
         const double amplitude = scores.amplitude(i);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Candidates in a model: what is switched on, or moved, when one of them is taken as true.
+// Candidates in a model: what is switched on, or moved, when one of them is taken as true; and what they are called.
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "diagnosis/detect/candidates.hpp"
+#include "input/parameters/effect_names.hpp"
+#include "input/text/word_lists.hpp"
 #include "physics/plausible_ranges.hpp"
 
 namespace tiretherm::diagnosis {
@@ -30,6 +34,11 @@ std::pair<double, double> plausible_bounds(const Candidate& candidate) {
             std::clamp(std::max(range->high, candidate.absent), candidate.low, candidate.high)};
 }
 
+bool is_common_delay(const Candidate& candidate) {
+    const physics::InputCorrection* input = candidate.effect->input_correction();
+    return input != nullptr && input->delay != nullptr && !candidate.companions.empty();
+}
+
 bool can_stand_beside(const Candidate& one, const Candidate& other) {
     if (one.effect != other.effect) {
         return true;
@@ -47,7 +56,15 @@ bool can_stand_beside(const Candidate& one, const Candidate& other) {
     }
     const physics::InputCorrection* input = one.effect->input_correction();
     const bool own_inputs = input != nullptr && input->delay != nullptr;
-    return one.parameter != other.parameter && (one.on >= 0 || own_inputs);
+    const auto moves = [](const Candidate& candidate, std::size_t parameter) {
+        return candidate.parameter == parameter ||
+               std::ranges::find(candidate.companions, parameter, &solver::FreeParameter::Companion::parameter) !=
+                   candidate.companions.end();
+    };
+    const bool shares = moves(one, other.parameter) || std::ranges::any_of(one.companions, [&](const auto& companion) {
+                            return moves(other, companion.parameter);
+                        });
+    return !shares && (one.on >= 0 || own_inputs);
 }
 
 physics::ActiveEffect active_at(const Candidate& candidate, const mesh::Mesh& mesh, double value) {
@@ -101,6 +118,54 @@ input::Experiment with(input::Experiment experiment, const std::vector<Candidate
         experiment.parameters.push_back(std::move(number));
     }
     return experiment;
+}
+
+std::string sensors_of(const Candidate& candidate, const solver::Problem& problem) {
+    std::vector<std::string> names;
+    for (const int channel : candidate.channels) {
+        std::string name = input::sensor_of(problem, channel);
+        if (names.empty() || names.back() != name) {
+            names.push_back(std::move(name));
+        }
+    }
+    if (names.size() > 1 && candidate.effect->sensor_model()->sees_surfaces_only) {
+        return fmt::format("all {} sensors of surfaces", names.size());
+    }
+    if (names.size() == 2) {
+        return fmt::format("{} and {}", names.front(), names.back());
+    }
+    if (names.size() > 1) {
+        return fmt::format("{} to {} ({} sensors)", names.front(), names.back(), names.size());
+    }
+    return names.empty() ? std::string() : names.front();
+}
+
+std::string name_of(const Candidate& candidate, const input::Experiment& experiment) {
+    const solver::Problem& problem = experiment.runs.front().problem;
+    std::string name(candidate.effect->id);
+    const auto numbers =
+        std::ranges::count_if(candidate.effect->parameters, [&](const physics::ParameterSpec& parameter) {
+            return !std::isnan(parameter.absent) &&
+                   std::ranges::none_of(candidate.effect->trials, [&](const physics::TrialValues& special) {
+                       return special.parameter == parameter.key && special.left_out;
+                   });
+        });
+    if (is_common_delay(candidate)) {
+        std::vector<std::string> inputs{std::string(candidate.number().key)};
+        for (const solver::FreeParameter::Companion& companion : candidate.companions) {
+            inputs.emplace_back(candidate.effect->parameters[companion.parameter].key);
+        }
+        name += " of " + input::listed(inputs);
+    } else if (numbers > 1 || candidate.on >= 0) {
+        name += fmt::format(".{}", candidate.number().key);
+    }
+    if (!candidate.channels.empty()) {
+        name += " of " + sensors_of(candidate, problem);
+    }
+    if (candidate.layer >= 0 && !problem.mesh.is_lumped() && problem.mesh.layers.size() > 1) {
+        name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
+    }
+    return name;
 }
 
 }  // namespace tiretherm::diagnosis

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <string_view>
 
-#include <fmt/format.h>
-
 #include "input/parameters/effect_names.hpp"
 #include "input/parameters/parameter_path.hpp"
 #include "physics/plausible_ranges.hpp"
@@ -215,6 +213,33 @@ bool is_delayed(const input::Experiment& experiment, const Effect& effect, std::
     });
 }
 
+/// Inputs that one logger writes are late together: those of handling, and all. @param plain of the effect that delays inputs
+void add_common_delays(std::vector<Candidate>& all, const input::Experiment& experiment, Candidate plain,
+                       const std::vector<std::string>& chosen) {
+    const auto is_of_handling = [](std::string_view signal) {
+        return signal != "speed" && signal != "vertical_load" && signal != "laser_power";
+    };
+    std::size_t before = 0;
+    for (const bool handling : {true, false}) {
+        std::vector<std::size_t> late;
+        for (std::size_t p = 0; p < plain.effect->parameters.size(); ++p) {
+            if (is_delayed(experiment, *plain.effect, p) && is_chosen(chosen, *plain.effect, p) &&
+                (!handling || is_of_handling(plain.effect->parameters[p].key))) {
+                late.push_back(p);
+            }
+        }
+        if (late.size() > std::max<std::size_t>(1, before)) {
+            plain.parameter = late.front();
+            plain.companions.clear();
+            for (std::size_t i = 1; i < late.size(); ++i) {
+                plain.companions.push_back({.parameter = late[i], .factor = 1.0});
+            }
+            add(all, plain);
+        }
+        before = late.size();
+    }
+}
+
 void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, const Effect& effect,
              const std::vector<int>& channels, const std::vector<std::string>& chosen) {
     const solver::Problem& problem = experiment.runs.front().problem;
@@ -251,6 +276,14 @@ void add_all(std::vector<Candidate>& all, const input::Experiment& experiment, c
         } else {
             add(all, plain);
         }
+    }
+    if (effect.input_correction() != nullptr && effect.input_correction()->delay != nullptr) {
+        add_common_delays(all, experiment,
+                          {.effect = &effect,
+                           .absent = 0.0,
+                           .low = effect.parameters.front().low,
+                           .high = effect.parameters.front().high},
+                          chosen);
     }
 }
 
@@ -342,45 +375,6 @@ std::vector<Candidate> candidates_of(const input::Experiment& experiment, const 
         }
     }
     return all;
-}
-
-std::string sensors_of(const Candidate& candidate, const solver::Problem& problem) {
-    std::vector<std::string> names;
-    for (const int channel : candidate.channels) {
-        std::string name = input::sensor_of(problem, channel);
-        if (names.empty() || names.back() != name) {
-            names.push_back(std::move(name));
-        }
-    }
-    if (names.size() > 1 && candidate.effect->sensor_model()->sees_surfaces_only) {
-        return fmt::format("all {} sensors of surfaces", names.size());
-    }
-    if (names.size() == 2) {
-        return fmt::format("{} and {}", names.front(), names.back());
-    }
-    if (names.size() > 1) {
-        return fmt::format("{} to {} ({} sensors)", names.front(), names.back(), names.size());
-    }
-    return names.empty() ? std::string() : names.front();
-}
-
-std::string name_of(const Candidate& candidate, const input::Experiment& experiment) {
-    const solver::Problem& problem = experiment.runs.front().problem;
-    std::string name(candidate.effect->id);
-    const auto numbers = std::ranges::count_if(candidate.effect->parameters, [&](const ParameterSpec& parameter) {
-        const physics::TrialValues* special = trial_values_of(*candidate.effect, parameter);
-        return !std::isnan(parameter.absent) && !(special != nullptr && special->left_out);
-    });
-    if (numbers > 1 || candidate.on >= 0) {
-        name += fmt::format(".{}", candidate.number().key);
-    }
-    if (!candidate.channels.empty()) {
-        name += " of " + sensors_of(candidate, problem);
-    }
-    if (candidate.layer >= 0 && !problem.mesh.is_lumped() && problem.mesh.layers.size() > 1) {
-        name += " of " + problem.mesh.layers[static_cast<std::size_t>(candidate.layer)];
-    }
-    return name;
 }
 
 }  // namespace tiretherm::diagnosis

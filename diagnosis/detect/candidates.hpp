@@ -53,6 +53,9 @@ struct Candidate {
 /// Whether one case can have both: two effects, two numbers of one that is on, or one effect at two places or on two inputs.
 [[nodiscard]] bool can_stand_beside(const Candidate& one, const Candidate& other);
 
+/// Whether it delays several inputs together.
+[[nodiscard]] bool is_common_delay(const Candidate& candidate);
+
 /// What is said of effects that the case lists and that cannot act on it, or that no sensor sees: a sentence each.
 [[nodiscard]] Remarks untried(const input::Experiment& experiment);
 

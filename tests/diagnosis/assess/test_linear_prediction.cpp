@@ -53,6 +53,17 @@ TEST(LinearPrediction, HoldsAmplitudesWithinTheirBounds) {
     EXPECT_NEAR(share_removed(linear.with({}), linear.with({0})), 0.75, 1e-12);
 }
 
+// The same of a number that the model has: it may move by one where the data ask for two. Half of the error is left, (1, -1, 2, 0), of mean
+// square 1.5; a number that the rest hardly tells would otherwise go anywhere, and what is left out would count against its cause.
+TEST(LinearPrediction, HoldsTheModelsOwnNumbersWithinTheirBounds) {
+    const Eigen::VectorXd slope = twice(1, -1, 2, 0);
+    const Signatures none{
+        .raw = Eigen::MatrixXd(8, 0), .white = Eigen::MatrixXd(8, 0), .bounds = {}, .bounds_of_numbers = {{-1.0, 1.0}}};
+    const LinearPrediction linear{model_of(2.0 * slope, slope), none, each_run, {{false}, {false}},
+                                  std::vector<int>(8, 0),       1};
+    EXPECT_NEAR(linear.with({})[0], 1.5, 1e-6);
+}
+
 // The runs lie 3 and 5 above the model. A start of each run takes that from the run itself and leaves nothing; a number that only
 // the rest may fit would leave 3^2 and 5^2, as the rest says nothing of it.
 TEST(LinearPrediction, StartsComeFromWhatIsLeftOut) {

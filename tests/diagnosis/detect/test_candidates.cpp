@@ -43,6 +43,24 @@ TEST(Candidates, OfLateInputsAreThoseThatAreLoggedAndChange) {
     EXPECT_EQ(std::ranges::find(late, "input_delay.laser_power"), late.end());
 }
 
+// What one logger writes is late together: slip and force of handling, and all that is logged and changes. One number moves them, so that
+// the case has the same delay for each; beside a delay of one of its inputs of its own there is no place for it.
+TEST(Candidates, InputsOfOneLoggerAreLateTogether) {
+    const input::Experiment experiment = practice_bench();
+    const std::vector<Candidate> late = candidates_of(experiment, {"input_delay"});
+    const auto common = std::ranges::find_if(late, is_common_delay);
+    ASSERT_NE(common, late.end());
+    const Candidate& all = late.back();
+    ASSERT_TRUE(is_common_delay(all));
+    EXPECT_TRUE(name_of(all, experiment).starts_with("input_delay of speed, vertical_load, "))
+        << name_of(all, experiment);
+    const physics::ActiveEffect active = active_at(all, experiment.runs.front().problem.mesh, 1.5);
+    EXPECT_EQ(std::ranges::count(active.parameters, 1.5), static_cast<long>(all.companions.size() + 1));
+    EXPECT_FALSE(can_stand_beside(all, late.front()));
+    EXPECT_FALSE(can_stand_beside(late.front(), all));
+    EXPECT_FALSE(can_stand_beside(*common, all));
+}
+
 TEST(Candidates, AnInstrumentComesBeforeItsSensors) {
     input::Experiment experiment = practice_bench();
     experiment.instruments = {{.name = "logger", .channels = {0, 1}}};

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Causes that are added to a model together: which of them stay.
+
+#include "diagnosis/assess/extension.hpp"
+
+#include "tests/diagnosis/practice_bench.hpp"
+
+namespace tiretherm::diagnosis::sample {
+namespace {
+
+/// The practice bench, its second sensor 12 s late: three samples.
+input::Experiment late_by_twelve_seconds() {
+    std::vector<Log> logs = practice_logs();
+    for (Log& log : logs) {
+        for (std::size_t c = 0; c < log.headings.size(); ++c) {
+            if (log.headings[c].starts_with("bulk_temperature")) {
+                std::vector<double>& readings = log.columns[c];
+                readings.insert(readings.begin(), 3, readings.front());
+                readings.resize(readings.size() - 3);
+            }
+        }
+    }
+    return practice_bench(logs);
+}
+
+// No two clocks are 12 s apart: the delay ends at the 3 s that are plausible. That must not cost the lag its place: in a reading
+// that changes slowly beside 12 s a lag of 12 s does the same, and a probe may have it.
+TEST(ExtendedModel, APartAtTheEndOfItsRangeIsLeftOutAndTheRestStays) {
+    const input::Experiment experiment = late_by_twelve_seconds();
+    const Observations observations = observe(experiment);
+    const auto candidates = candidates_of(experiment, {"sensor_lag", "clock_delay"});
+    ScoreTestData score_data = prepare_score_tests(experiment, observations, candidates, {});
+    ASSERT_TRUE(score_data.status.ok()) << score_data.status.message;
+    std::vector<std::size_t> both;
+    for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
+        if (sensors_of(score_data.candidates[k], experiment.runs.front().problem) == "bulk_temperature") {
+            both.push_back(k);
+        }
+    }
+    ASSERT_EQ(both.size(), 2U);
+    FittedHypothesis base;
+    base.model = experiment;
+    base.fit = score_data.base;
+    base.sound = true;
+    const FittedHypothesis found = extended(score_data, base, both, {2.0, 2.0}, score_data.noise);
+    ASSERT_TRUE(found.admissible);
+    ASSERT_EQ(found.candidates.size(), 1U);
+    EXPECT_EQ(score_data.candidates[found.candidates.front()].effect->id, "sensor_lag");
+    EXPECT_NEAR(found.fit.values[found.number_of(0)], 12.0, 2.0);
+}
+
+}  // namespace
+}  // namespace tiretherm::diagnosis::sample
