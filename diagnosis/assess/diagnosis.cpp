@@ -10,6 +10,8 @@
 #include <iterator>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
+#include "diagnosis/assess/lookalikes.hpp"
+#include "diagnosis/assess/window_names.hpp"
 #include "diagnosis/detect/discretisation_error.hpp"
 #include "diagnosis/findings/parameter_findings.hpp"
 #include "diagnosis/fit/fit.hpp"
@@ -85,10 +87,11 @@ std::vector<ParameterFinding> findings_of(const input::Experiment& experiment, c
 /// Searches causes and says what they are worth. Where the model has errors of its own, or what the likelihood named does not
 /// predict better, the search is by prediction.
 /// @param coarse the grid is too coarse for the likelihood to be asked
-void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosis& result, Part& part, bool coarse) {
+void find_causes(DiagnosisState& state, const DiagnosisOptions& asked, Diagnosis& result, Part& part, bool coarse) {
     result.remarks = untried(*state.score_data.experiment);
-    const bool can_leave_out = !state.score_data.observations->channels.empty() && choice.measure_gain;
+    const bool can_leave_out = !state.score_data.observations->channels.empty() && asked.measure_gain;
     part = Part::causes;
+    const DiagnosisOptions choice = can_leave_out ? take_run_changes(state, asked) : asked;
     // The base is the experiment's own, whatever mesh is taken later.
     const input::Experiment& experiment = *state.score_data.experiment;
     const Refit base = state.score_data.base;
@@ -105,13 +108,14 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& choice, Diagnosi
         }
     }
     report(state, result);
-    result.base = base.simulated;
+    result.base = state.without_changes ? state.without_changes->simulated : base.simulated;
     result.values = base.values;
     for (const ParameterFinding& finding : findings_of(experiment, base)) {
         result.remarks.push_back(remark::without_cause({finding.remark}));
     }
     part = Part::missing_heat;
     estimate_missing_heat(state, result);
+    name_window(experiment, result);
     if (can_leave_out) {
         part = Part::gain;
         measure_gain(state, result);
@@ -273,6 +277,11 @@ Diagnosis diagnose(const input::Experiment& experiment, const Observations& obse
         } else {
             result.status = {solver::Outcome::stopped, "stopped during the fit and the score tests of the candidates"};
         }
+    }
+    report_run_changes(state, result);
+    if (result.base.size() > 0 && !state.score_data.candidates.empty()) {
+        result.cannot_see = lookalikes_of(state.score_data);
+        remark_on_lookalikes(result);
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

@@ -52,6 +52,7 @@ struct Cause {
     CauseKind kind = CauseKind::effect;
     std::string id;                      ///< of the effect; "mesh"
     std::string channel{};               ///< of a sensor's effect
+    std::string run{};                   ///< that has it alone, with a number of its own; empty: all
     std::string place{};                 ///< layer or zone, where it acts on one of several; which meshes do better
     std::vector<CauseNumber> numbers{};  ///< that were fitted, and those it was tried at
     /// What the case says of the number, where the effect is on and its number is wrong.
@@ -226,6 +227,19 @@ struct MissingHeat {
     [[nodiscard]] double sigma() const { return watts / deviation; }  ///< standard deviations from none, with its sign
 };
 
+/// A cause that would look like a free number in these data.
+struct Lookalike {
+    std::string cause;     ///< "load_input_gain"
+    std::string key;       ///< of its number
+    double value = 0.0;    ///< at which the free number would be what was known of it
+    std::string number{};  ///< "strain_energy_loss.tan_delta_a"
+    double fitted = 0.0;
+    double known = 0.0;        ///< before
+    double correlation = 0.0;  ///< of its signature with what the free numbers make of it
+    bool is_input = false;     ///< a wrong input
+    bool is_far = false;       ///< the number is by more than its standard deviation off what was known
+};
+
 /// Everything that a diagnosis found out.
 struct Diagnosis {
     solver::Status status;  ///< of a run that failed; then nothing else holds
@@ -249,6 +263,7 @@ struct Diagnosis {
     std::vector<ModelError> model_error;      ///< of channels that have one
     std::vector<FreeNumber> free_numbers;     ///< of the extended model, or of the base where there is none
     std::vector<HeldOutGain> held_out_gains;  ///< what was tested on data that were left out, the largest first
+    std::vector<Lookalike> cannot_see{};      ///< that the free numbers may stand for, wrong inputs first
     Part stopped = Part::none;                ///< what was being done when time ran out; none: it came to its end
     Activity stopped_at{};                    ///< the piece of work at which it was stopped, where these are counted
     double rest_of_stage = 0.0;               ///< s, about what the stage would have taken still; NaN: not known

@@ -3,6 +3,7 @@
 // and the verdict.
 #pragma once
 
+#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "diagnosis/assess/diagnosis.hpp"
 #include "diagnosis/assess/fitted_hypothesis.hpp"
 #include "diagnosis/assess/prediction_search.hpp"
+#include "diagnosis/assess/run_changes.hpp"
 #include "input/parameters/mesh_change.hpp"
 
 namespace tiretherm::diagnosis {
@@ -46,7 +48,11 @@ struct DiagnosisState {
     std::vector<std::string> other_meshes{};   ///< that predict better, too
     std::vector<TriedModel> tried{};           ///< by the searches by prediction on the mesh that was taken
     std::vector<RicherMesh> richer_meshes{};   ///< that were tried
-    std::vector<Eigen::VectorXd> of_folds{};   ///< [n_folds][n] numbers of the best hypothesis without each fold
+    std::vector<RunChange> run_changes{};      ///< that all models have, each with a number of its runs
+    std::optional<Refit> without_changes{};    ///< the base fit without them
+    const input::Experiment* unchanged = nullptr;   ///< the experiment without them
+    std::list<input::Experiment> changed_models{};  ///< with them: the experiment, then other meshes
+    std::vector<Eigen::VectorXd> of_folds{};        ///< [n_folds][n] numbers of the best hypothesis without each fold
 
     /// The hypothesis that the model is extended with; null where there is none.
     [[nodiscard]] const FittedHypothesis* best() const;
@@ -86,6 +92,11 @@ void take_what_was_found(DiagnosisState& state);
 /// Measures the gain run by run: each run in turn takes no part in sizing and fitting, and is then predicted from the
 /// others, with how it started from itself. A verdict that the prediction does not bear out becomes `partial`.
 void measure_gain(DiagnosisState& state, Diagnosis& into);
+
+/// A comparison of predictions as the gain of an answer.
+void take_gain(const PredictionGain& gain, Gain& into);
+/// Whether a gain is large enough to confirm what is beyond chance: odds of 100 and more, and at no cost.
+[[nodiscard]] bool is_confirmed(const PredictionGain& gain, const Gain& taken);
 
 /// What is left of each channel beyond its noise, and the free numbers with the intervals that this leaves them.
 void describe_model_error(const DiagnosisState& state, Diagnosis& into);

@@ -63,7 +63,9 @@ std::vector<double> noise_floor(const Observations& observations, const Eigen::V
     return floor;
 }
 
-void take(const PredictionGain& gain, Gain& into) {
+}  // namespace
+
+void take_gain(const PredictionGain& gain, Gain& into) {
     // Noise cannot be removed: what there is to remove is the rest, and of a model that is nearly right a twentieth at least.
     const double removable = std::max(0.05, gain.removable);
     into.measured = true;
@@ -76,7 +78,9 @@ void take(const PredictionGain& gain, Gain& into) {
     into.log_e = gain.log_odds;
 }
 
-}  // namespace
+bool is_confirmed(const PredictionGain& gain, const Gain& taken) {
+    return taken.log_e >= confirming && gain.in_every_fold && gain.worst <= 1.0 + 0.02 && taken.low > least_confirmed;
+}
 
 void measure_gain(DiagnosisState& found, Diagnosis& into) {
     ScoreTestData& score_data = found.score_data;
@@ -100,7 +104,7 @@ void measure_gain(DiagnosisState& found, Diagnosis& into) {
             const std::vector<double> floor = noise_floor(observations, into.extended);
             const PredictionGain plain =
                 compare_predictions(both.before, both.after, observations, score_data.noise.channels, floor);
-            take(plain, into.gain);
+            take_gain(plain, into.gain);
             bool proven = plain.low > 0.0;
             if (!found.search) {
                 // Small effects beside slow noise: the whitened errors see them best.
@@ -112,8 +116,7 @@ void measure_gain(DiagnosisState& found, Diagnosis& into) {
                 proven = proven || (sharp.low > 0.0 && plain.removed > 0.0);
                 into.gain.log_e = plain.removed > 0.0 ? sharp.log_odds : std::min(0.0, sharp.log_odds);
             }
-            into.gain.confirmed = proven && into.gain.log_e >= confirming && plain.in_every_fold &&
-                                  plain.worst <= 1.0 + 0.02 && into.gain.low > least_confirmed;
+            into.gain.confirmed = proven && is_confirmed(plain, into.gain);
             if (!proven && plain.removed <= 0.0) {
                 into.extended_model.reset();  // it would predict no better than the case
             }

@@ -30,7 +30,8 @@ input::Experiment own_numbers_free(const input::Experiment& model, const Simulat
             own.parameters.push_back(model.parameters[j]);
             // A shift of temperatures counts from where the problem stands now; its prior and bounds move along.
             solver::FreeParameter& start = own.parameters.back();
-            const double by = values[static_cast<Eigen::Index>(j)];
+            const bool is_shift = start.kind == solver::FreeParameter::Kind::initial;
+            const double by = is_shift ? values[static_cast<Eigen::Index>(j)] : 0.0;
             start.prior -= by;
             start.low -= by;
             start.high -= by;
@@ -52,10 +53,10 @@ Eigen::VectorXd linear_start(const LinearisedModel& linear, const Refit& full, c
     return start;
 }
 
-/// Where a single recording is divided: into quarters, each moved to the end of a lap that lies within half a quarter of it.
-std::vector<double> cuts_of(const Observations& observations) {
+/// Where a recording is divided: into quarters, each moved to the end of a lap that lies within half a quarter of it.
+std::vector<double> cuts_of(const Observations& observations, std::size_t recording) {
     constexpr std::size_t quarters = 4;
-    const auto [from, to] = observations.span_of(0);
+    const auto [from, to] = observations.span_of(recording);
     const std::vector<double>& laps = observations.lap_ends;
     std::vector<double> cuts{from};
     for (std::size_t f = 1; f < quarters; ++f) {
@@ -92,32 +93,45 @@ double HeldOutErrors::mean_square(const Observations& observations, std::size_t 
     return count > 0 ? sum / static_cast<double>(count) : none;
 }
 
-std::vector<Fold> folds_of(const Observations& observations) {
+std::vector<Fold> folds_within_recordings(const Observations& observations) {
     constexpr double gap = 0.05;
     const std::vector<int> noise_of = noise_of_rows(observations);
-    const std::size_t n_recordings = observations.n_recordings();
-    const bool is_single = n_recordings == 1;
-    const std::vector<double> cuts = is_single ? cuts_of(observations) : std::vector<double>{};
-    std::vector<Fold> folds(is_single ? cuts.size() - 1 : n_recordings);
-    const double apart = is_single ? gap * (cuts.back() - cuts.front()) : 0.0;
-    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
-        const Observations::Row& what = observations.rows[row];
-        const double time = observations.times[what.run][what.time];
-        for (std::size_t f = 0; f < folds.size(); ++f) {
-            bool is_test = observations.recordings[what.run] == f;
-            bool is_rest = !is_test;
-            if (is_single) {
-                is_test = time >= cuts[f] && (time < cuts[f + 1] || f + 1 == folds.size());
-                is_rest = time < cuts[f] - apart || time > cuts[f + 1] + apart;
-            }
-            if (is_test && noise_of[row] >= 0) {
-                folds[f].test.push_back(static_cast<Eigen::Index>(row));
-            } else if (is_rest || noise_of[row] < 0) {
-                folds[f].rest.push_back(static_cast<Eigen::Index>(row));
+    std::vector<Fold> folds;
+    for (std::size_t recording = 0; recording < observations.n_recordings(); ++recording) {
+        const std::vector<double> cuts = cuts_of(observations, recording);
+        const double apart = gap * (cuts.back() - cuts.front());
+        for (std::size_t f = 0; f + 1 < cuts.size(); ++f) {
+            Fold& fold = folds.emplace_back();
+            for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+                const Observations::Row& what = observations.rows[row];
+                const double time = observations.times[what.run][what.time];
+                const bool is_same = observations.recordings[what.run] == recording;
+                const bool is_last = f + 2 == cuts.size();
+                if (noise_of[row] >= 0 && is_same && time >= cuts[f] && (time < cuts[f + 1] || is_last)) {
+                    fold.test.push_back(static_cast<Eigen::Index>(row));
+                } else if (noise_of[row] < 0 || !is_same || time < cuts[f] - apart || time > cuts[f + 1] + apart) {
+                    fold.rest.push_back(static_cast<Eigen::Index>(row));
+                }
             }
         }
     }
-    for (std::size_t run = 0; !is_single && run < observations.recordings.size(); ++run) {
+    std::erase_if(folds, [](const Fold& fold) { return fold.test.empty() || fold.rest.empty(); });
+    return folds;
+}
+
+std::vector<Fold> folds_of(const Observations& observations) {
+    if (observations.n_recordings() == 1) {
+        return folds_within_recordings(observations);
+    }
+    const std::vector<int> noise_of = noise_of_rows(observations);
+    std::vector<Fold> folds(observations.n_recordings());
+    for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+        for (std::size_t f = 0; f < folds.size(); ++f) {
+            const bool is_test = observations.recordings[observations.rows[row].run] == f && noise_of[row] >= 0;
+            (is_test ? folds[f].test : folds[f].rest).push_back(static_cast<Eigen::Index>(row));
+        }
+    }
+    for (std::size_t run = 0; run < observations.recordings.size(); ++run) {
         folds[observations.recordings[run]].runs.push_back(run);
     }
     std::erase_if(folds, [](const Fold& fold) { return fold.test.empty() || fold.rest.empty(); });

@@ -3,6 +3,7 @@
 // from the rest. The tires of a car are of one recording: they share what is wrong with it.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "diagnosis/fit/refit.hpp"
@@ -16,18 +17,22 @@ struct Fold {
     RowIndices rest;
     std::vector<std::size_t> runs{};  ///< whose start is fitted to the test itself; none: to the rest
 
-    /// Whether a parameter is a start of which the rest says nothing. A coefficient of which the rest says nothing is predicted as it was
-    /// known before.
+    /// Whether a parameter is one of which the rest says nothing, and that is no coefficient of which anything was known before: that is
+    /// predicted as it was known.
     [[nodiscard]] bool alone_has(const solver::FreeParameter& parameter) const {
-        return parameter.kind == solver::FreeParameter::Kind::initial && !parameter.runs.empty() &&
-               std::ranges::all_of(parameter.runs,
-                                   [&](std::size_t run) { return std::ranges::find(runs, run) != runs.end(); });
+        const bool is_known =
+            parameter.kind != solver::FreeParameter::Kind::initial && std::isfinite(parameter.standard_deviation);
+        return !is_known && !parameter.runs.empty() && std::ranges::all_of(parameter.runs, [&](std::size_t run) {
+            return std::ranges::find(runs, run) != runs.end();
+        });
     }
 };
 
 /// Each recording once. Of a single one each of its quarters, cut at the nearest ends of laps, with a gap of a twentieth of
 /// the recording between it and the rest. Quoted numbers are always in the rest. A fold with nothing to test or to fit is left out.
 [[nodiscard]] std::vector<Fold> folds_of(const Observations& observations);
+/// The quarters of every recording, each predicted from the others and from all other recordings.
+[[nodiscard]] std::vector<Fold> folds_within_recordings(const Observations& observations);
 
 /// What a model gets wrong of data that took no part in its fit.
 struct HeldOutErrors {

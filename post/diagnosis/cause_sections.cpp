@@ -147,6 +147,7 @@ Value causes_data(const Diagnosis& result) {
         list.push_back({{"id", cause.id},
                         {"channel", text_or_null(cause.channel)},
                         {"place", text_or_null(cause.place)},
+                        {"run", text_or_null(cause.run)},
                         {"parameters", parameters_data(cause)},
                         {"instead_of", cause.instead_of},
                         {"sigma", cause.sigma},

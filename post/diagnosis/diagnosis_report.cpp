@@ -215,6 +215,20 @@ Value held_out_data(const Diagnosis& result) {
     return list;
 }
 
+Value cannot_see_data(const Diagnosis& result) {
+    Value::List list;
+    for (const Lookalike& one : result.cannot_see) {
+        list.push_back({{"cause", one.cause},
+                        {"key", one.key},
+                        {"value", one.value},
+                        {"like", one.number},
+                        {"fitted", one.fitted},
+                        {"known", one.known},
+                        {"correlation", one.correlation}});
+    }
+    return list;
+}
+
 DataTable noise(const DiagnosisRecord& record) {
     DataTable table;
     for (std::size_t i = 0; i < record.result.noise.size(); ++i) {
@@ -276,6 +290,7 @@ Report diagnosis_report(const DiagnosisRecord& record, const std::vector<std::fi
                    {"model_error", model_error_data(record)},
                    {"free_numbers", of_numbers.data()},
                    {"held_out_gains", held_out_data(result)},
+                   {"cannot_see", cannot_see_data(result)},
                    {"missing_heat", of_heat.data()},
                    {"columns", unused_columns_table(record.experiment).data()},
                    {"runs", run_verdicts_data(record)},

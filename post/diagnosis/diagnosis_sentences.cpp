@@ -34,7 +34,9 @@ std::string full(const Cause& cause) {
     if (cause.kind == CauseKind::mesh) {
         return name_of(cause);
     }
-    const std::string from = cause.instead_of ? fmt::format("the case's {:.4g}", *cause.instead_of) : "no effect";
+    const std::string from = !cause.run.empty() ? fmt::format("the {:.4g} of the other runs", *cause.instead_of)
+                             : cause.instead_of ? fmt::format("the case's {:.4g}", *cause.instead_of)
+                                                : "no effect";
     return fmt::format("{}, {}, {:.1f} standard deviations from {}", name_of(cause), size_of(cause), cause.sigma, from);
 }
 
@@ -209,7 +211,8 @@ std::string name_of(const Cause& cause) {
         return fmt::format("a mesh that is too coarse ({} do better)", cause.place);
     }
     const std::string& where = cause.channel.empty() ? cause.place : cause.channel;
-    return where.empty() ? cause.id : fmt::format("{} of {}", cause.id, where);
+    return fmt::format("{}{}{}{}{}", cause.id, where.empty() ? "" : " of ", where, cause.run.empty() ? "" : " in ",
+                       cause.run);
 }
 
 Value parameters_data(const Cause& cause) {

@@ -151,6 +151,31 @@ const std::array wordings{
         "{0} in {1} look mirrored, those of the wheel on the other side: with its load, as much below the mean as this "
         "one's is above, the rms of all temperatures after the fit falls from {2:.2g} to {3:.2g} K. Give the case the "
         "inputs of the wheel whose temperatures were measured; until then there is no extended case."),
+    words(remark::number_of_run_differs,
+          "{} has another {}: {:.3g} times that of the other runs ({:.3g} to {:.3g}). {}. Ask what was changed before "
+          "that run. The extended case has the value of the other runs"),
+    words(remark::reading_of_run_differs,
+          "{} alone has {}: {} {:.3g} ({:.3g} to {:.3g}) {}, beside the other runs. An instrument was replaced, moved "
+          "or set anew for that run, or what it stands for was changed. The extended case is without it"),
+    words(remark::changes_from_run_to_run,
+          "{} changes from run to run, from {:.4g} in the first to {:.4g} in the last: wear, ageing, a sensor that "
+          "drifts. The extended case has the value of the last run"),
+    words(remark::other_compound, "Another compound, another pressure or a worn tread would do this"),
+    words(remark::other_air, "Another wind, another wheel or other bodywork would do this"),
+    words(remark::other_road, "Another road, rain or another compound would do this"),
+    words(remark::other_setup, "Something was changed between the runs"),
+    words(remark::rain_would_do_this,
+          "rain or a wet road from {1:.0f} s to {2:.0f} s of {0} would take this heat: the tire moves there. Was the "
+          "road "
+          "wet? Log it as `wet`"),
+    words(remark::warmed_standing,
+          "the tire stands from {1:.0f} s to {2:.0f} s of {0}: tire blankets or hot brakes would warm it like this"),
+    words(remark::cooled_standing,
+          "the tire stands from {1:.0f} s to {2:.0f} s of {0}: a fan, wind or water would cool it like this"),
+    words(
+        remark::looks_like_number,
+        "{0} with {1} = {2:.3g} would look like {3} at its fitted {4:.3g} in the place of the {5:.3g} that was known: "
+        "these data cannot tell them apart"),
 };
 static_assert(std::tuple_size_v<decltype(wordings)> == static_cast<std::size_t>(RemarkCode::count),
               "a remark has no words");

@@ -43,6 +43,25 @@ std::string on_one_line(const std::string& text) {
     return line;
 }
 
+// A loss that run3 has for itself: 1.2 times the 2.14e15 of the others.
+TEST(DiagnosisReport, ACauseOfOneRunIsSaidWithTheRunAndTheOthersNumber) {
+    MadeUp made_up = sample::named();
+    made_up.result.causes.front() = {.id = "strain_energy_loss",
+                                     .run = "run3",
+                                     .numbers = {{.key = "tan_delta_a", .unit = "1", .value = 2.568e15}},
+                                     .instead_of = 2.14e15,
+                                     .sigma = 20.0,
+                                     .in_set = true,
+                                     .rank = 1};
+    made_up.result.cannot_see = {{.cause = "load_input_gain", .key = "gain", .value = 0.8}};
+    const std::string reason = reason_of(made_up.record());
+    EXPECT_TRUE(has(reason, "strain_energy_loss in run3, tan_delta_a 2.568e+15")) << reason;
+    EXPECT_TRUE(has(reason, "20.0 standard deviations from the 2.14e+15 of the other runs")) << reason;
+    const Json data = json(made_up);
+    EXPECT_EQ(data["causes"][0]["run"], "run3");
+    EXPECT_EQ(data["cannot_see"][0]["cause"], "load_input_gain");
+}
+
 TEST(DiagnosisReport, ANamedCauseIsSaidWithItsSizeAndWhatItIs) {
     const MadeUp made_up = sample::named();
     EXPECT_EQ(reason_of(made_up.record()),
