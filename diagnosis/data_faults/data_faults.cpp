@@ -340,14 +340,16 @@ std::optional<LikelyFault> LabelSearch::find() {
     }
     const std::optional<LinearModel> base = linear_model(experiment_);
     const LinearFit first = base ? linear_fit(*base, precision_, noise_, observations_) : LinearFit{};
-    if (!base || (rms(first.left, rows_) < gross_misfit && first.pull < pulled_back)) {
+    if (!base || (rms(first.left, rows_) < gross_misfit && first.pull < 0.5 * pulled_back)) {
         return std::nullopt;
     }
     const DataFit as_it_is = data_fit(experiment_, simulations_);
     if (!as_it_is.sound || (as_it_is.left < gross_misfit && as_it_is.pull < pulled_back)) {
         return std::nullopt;
     }
-    std::vector<FittedTrial> trials_fitted = fitted(trials(*base, all, scopes, as_it_is.left));
+    // The linear picture may miss more than a fit does, and pull less, of the labels as they are and of others.
+    const double at_most = std::max(as_it_is.left, rms(first.left, rows_));
+    std::vector<FittedTrial> trials_fitted = fitted(trials(*base, all, scopes, at_most));
     if (trials_fitted.empty()) {
         return std::nullopt;
     }
