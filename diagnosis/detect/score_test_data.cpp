@@ -6,9 +6,12 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
+
+#include "diagnosis/fit/refinement.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -23,20 +26,14 @@ constexpr double chance = 0.002;
 constexpr double alike = 0.995;
 /// Windows of a run in which heat of its own is looked for.
 constexpr int windows = 16;
+/// A perturbed model works out what all its effects do over every sample of the log: on few nodes, where that is what a slope
+/// costs, so many candidates are switched on together; on a grid the march is, and all are.
+constexpr std::size_t most_together = 12;
+constexpr int few_nodes = 50;
 
 Eigen::MatrixXd whitened(const ScoreTestData& score_data, Eigen::MatrixXd columns) {
     whiten(score_data.observations->blocks, score_data.noise, columns);
     return columns;
-}
-
-/// The experiment as it stands at some values, with nothing free.
-input::Experiment frozen(const ScoreTestData& score_data, const Simulator& simulator, const Eigen::VectorXd& values) {
-    input::Experiment still = *score_data.experiment;
-    for (std::size_t r = 0; r < still.runs.size(); ++r) {
-        still.runs[r].problem = simulator.problem(r, values);
-    }
-    still.parameters.clear();
-    return still;
 }
 
 /// Whether a candidate brings a node of its own, such as the rim. Others act on that node where it is there, as heat of the brakes
@@ -47,7 +44,7 @@ bool brings_a_node(const Candidate& candidate) {
 }
 
 /// Slopes of some candidates, all in one run, into their columns. @param chosen indices
-void take_slopes(const input::Experiment& still, const std::vector<std::size_t>& chosen, ScoreTestData& score_data) {
+void take_slopes(const input::Experiment& still, std::span<const std::size_t> chosen, ScoreTestData& score_data) {
     std::vector<Candidate> linear;
     std::vector<double> absent;
     for (const std::size_t k : chosen) {
@@ -75,9 +72,13 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
         }
     }
     score_data.signatures.setZero(simulated.size(), static_cast<Eigen::Index>(score_data.candidates.size()));
+    const bool is_small = still.runs.front().problem.mesh.n_nodes <= few_nodes;
     for (const std::vector<std::size_t>* chosen : {&on_the_mesh, &with_nodes}) {
-        if (!chosen->empty()) {
-            take_slopes(still, *chosen, score_data);
+        const std::size_t parts = is_small ? (chosen->size() + most_together - 1) / most_together : 1;
+        for (std::size_t part = 0; part < parts && !chosen->empty(); ++part) {
+            const std::size_t first = part * chosen->size() / parts;
+            const std::size_t last = (part + 1) * chosen->size() / parts;
+            take_slopes(still, std::span(*chosen).subspan(first, last - first), score_data);
         }
     }
     std::size_t simulated_alone = 0;
@@ -209,23 +210,30 @@ ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Obs
                                   std::vector<Candidate> candidates, Progress progress) {
     ScoreTestData score_data;
     score_data.progress = std::move(progress);
+    prepare_score_tests(experiment, observations, std::move(candidates), score_data);
+    return score_data;
+}
+
+void prepare_score_tests(const input::Experiment& experiment, const Observations& observations,
+                         std::vector<Candidate> candidates, ScoreTestData& score_data) {
     score_data.say({.doing = Work::fitting_case});
     score_data.experiment = &experiment;
     score_data.observations = &observations;
     Fit fit(experiment, observations);
     fit.take_stated_noise();
+    score_data.noise = fit.covariance();
     if (!fit.move_to(fit.simulator().start())) {
         score_data.status = fit.now().status;
-        return score_data;
+        return;
     }
+    score_data.base = refit(fit, 0);  // the case as it stands, in case that the time ends during the fit
     score_data.base = refit(fit);
     fit.simulator().clear_steps();  // steps as the fitted values want them
     if (!score_data.base.status.ok() || !fit.move_to(score_data.base.values)) {
         score_data.status = fit.now().status;
-        return score_data;
+        return;
     }
     score_data.steps = fit.simulator().steps();
-    score_data.noise = fit.covariance();
     score_data.candidates = std::move(candidates);
     score_data.sign.resize(static_cast<Eigen::Index>(score_data.candidates.size()));
     for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
@@ -234,7 +242,7 @@ ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Obs
             candidate.absent == candidate.low ? 1 : (candidate.absent == candidate.high ? -1 : 0);
     }
     score_data.say({.doing = Work::signatures, .count = score_data.candidates.size()});
-    const input::Experiment still = frozen(score_data, fit.simulator(), score_data.base.values);
+    const input::Experiment still = frozen_at(experiment, fit.simulator(), score_data.base.values);
     take_signatures(still, fit.now().simulated, score_data);
     score_data.say({.doing = Work::unknown_heat});
     std::vector<solver::Problem> problems;
@@ -245,7 +253,6 @@ ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Obs
     score_data.count(fit.simulator().simulations());
     score_data.say({.doing = Work::noise});
     settle(score_data);
-    return score_data;
 }
 
 void ScoreTestData::take_observations(const Observations& corrected) {

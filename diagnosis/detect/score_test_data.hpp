@@ -70,5 +70,9 @@ struct ScoreTestData {
 /// @param experiment, observations live longer  @param candidates causes that may be missing
 [[nodiscard]] ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Observations& observations,
                                                 std::vector<Candidate> candidates, Progress progress = {});
+/// The same into what the caller has, which keeps what there is when the work is stopped: first the base model as it stands,
+/// then as it is fitted.
+void prepare_score_tests(const input::Experiment& experiment, const Observations& observations,
+                         std::vector<Candidate> candidates, ScoreTestData& score_data);
 
 }  // namespace tiretherm::diagnosis

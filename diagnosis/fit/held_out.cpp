@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each fold: a linear step from the full fit, then refits of the rest and of the start of the run that is left out.
+// Each fold: a linear step from the full fit, then refits of the rest and of the start of the run that is left out, by the slopes
+// of the full fit as long as they lead there.
 
 #include "diagnosis/fit/held_out.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
+#include "diagnosis/fit/gauss_newton.hpp"
 #include "diagnosis/fit/linearised_model.hpp"
+#include "diagnosis/fit/refinement.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -16,6 +21,21 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Steps of Gauss and Newton; the first starts at the linear estimate.
 constexpr int few_iterations = 4;
+/// By slopes that were taken nearby each step must leave this share at most of what the last one had to gain; less than `no_step`, in
+/// log likelihood twice, is not worth another.
+constexpr double least_contraction = 0.25;
+constexpr double no_step = 0.0025;
+
+/// The starts of the runs that are left out. @returns indices into the model's numbers
+std::vector<Eigen::Index> columns_of_own(const input::Experiment& model, const Fold& fold) {
+    std::vector<Eigen::Index> columns;
+    for (std::size_t j = 0; j < model.parameters.size(); ++j) {
+        if (fold.alone_has(model.parameters[j])) {
+            columns.push_back(static_cast<Eigen::Index>(j));
+        }
+    }
+    return columns;
+}
 
 /// The model with the starts of the runs that are left out free and all else as it is.
 input::Experiment own_numbers_free(const input::Experiment& model, const Simulator& simulator,
@@ -25,17 +45,14 @@ input::Experiment own_numbers_free(const input::Experiment& model, const Simulat
     for (std::size_t r = 0; r < own.runs.size(); ++r) {
         own.runs[r].problem = simulator.problem(r, values);
     }
-    for (std::size_t j = 0; j < model.parameters.size(); ++j) {
-        if (fold.alone_has(model.parameters[j])) {
-            own.parameters.push_back(model.parameters[j]);
-            // A shift of temperatures counts from where the problem stands now; its prior and bounds move along.
-            solver::FreeParameter& start = own.parameters.back();
-            const bool is_shift = start.kind == solver::FreeParameter::Kind::initial;
-            const double by = is_shift ? values[static_cast<Eigen::Index>(j)] : 0.0;
-            start.prior -= by;
-            start.low -= by;
-            start.high -= by;
-        }
+    for (const Eigen::Index j : columns_of_own(model, fold)) {
+        own.parameters.push_back(model.parameters[static_cast<std::size_t>(j)]);
+        // A shift of temperatures counts from where the problem stands now; its prior and bounds move along.
+        solver::FreeParameter& number = own.parameters.back();
+        const double by = number.kind == solver::FreeParameter::Kind::initial ? values[j] : 0.0;
+        number.prior -= by;
+        number.low -= by;
+        number.high -= by;
     }
     return own;
 }
@@ -51,6 +68,52 @@ Eigen::VectorXd linear_start(const LinearisedModel& linear, const Refit& full, c
         start[j] = std::clamp(start[j], fit.low()[j], fit.high()[j]);
     }
     return start;
+}
+
+/// Values that a fit has come to, and what is simulated there.
+struct NearbyFit {
+    Eigen::VectorXd values;
+    Eigen::VectorXd simulated;
+};
+
+/// A fit by slopes that were taken nearby: its simulations carry no sensitivities, which are most of what one costs.
+/// @param slopes [n_rows][n] SI per unit of each number  @param simulations counts on
+/// @returns nothing where these slopes do not lead there
+std::optional<NearbyFit> settle_by(const Eigen::MatrixXd& slopes, const Fit& fit,
+                                   const std::vector<std::vector<double>>& steps, Eigen::VectorXd values,
+                                   long& simulations) {
+    const Observations& observations = fit.observations();
+    Refit at;
+    at.scale = fit.scale();
+    at.precision = fit.precision().cwiseProduct(at.scale.cwiseAbs2());
+    Eigen::MatrixXd white(slopes.rows(), slopes.cols() + 1);
+    double before = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration <= few_iterations; ++iteration) {
+        const input::Experiment still = frozen_at(fit.experiment(), fit.simulator(), values);
+        Simulator simulator(still, observations);
+        simulator.take_steps(steps);
+        const ModelPrediction& now = simulator.at(simulator.start());
+        simulations += simulator.simulations();
+        if (!now.status.ok()) {
+            return std::nullopt;
+        }
+        white << slopes * at.scale.asDiagonal(), observations.measured - now.simulated;
+        whiten(observations.blocks, fit.covariance(), white);
+        at.slopes = white.leftCols(slopes.cols());
+        at.residual = white.col(slopes.cols());
+        at.known = fit.precision().cwiseSqrt().cwiseProduct(fit.prior() - values);
+        at.values = values;
+        const auto [step, to_gain] = gauss_newton_step(fit, at);
+        if (to_gain < no_step) {
+            return NearbyFit{.values = std::move(values), .simulated = now.simulated};
+        }
+        if (!(to_gain < least_contraction * before)) {
+            return std::nullopt;
+        }
+        before = to_gain;
+        values = (values + step.cwiseProduct(at.scale)).cwiseMax(fit.low()).cwiseMin(fit.high());
+    }
+    return std::nullopt;
 }
 
 /// Where a recording is divided: into quarters, each moved to the end of a lap that lies within half a quarter of it.
@@ -148,6 +211,7 @@ HeldOutErrors held_out(const input::Experiment& model, const Observations& obser
                        bool fitted) {
     HeldOutErrors found{.left = Eigen::VectorXd::Constant(observations.measured.size(), none)};
     const LinearisedModel linear = linearise(full, observations);
+    const Eigen::MatrixXd slopes = full.raw * full.scale.cwiseInverse().asDiagonal();
     found.ok = !folds.empty();
     for (const Fold& fold : folds) {
         Eigen::VectorXd values = full.values;
@@ -156,13 +220,16 @@ HeldOutErrors held_out(const input::Experiment& model, const Observations& obser
             Fit fit(model, rest);
             fit.simulator().take_steps(steps);
             fit.take_covariance(subset(covariance, fold.rest));
-            const bool moved =
-                fit.move_to(linear_start(linear, full, fit, fold)) || fit.move_to(Eigen::VectorXd(full.values));
-            if (!moved) {
+            const Eigen::VectorXd start = linear_start(linear, full, fit, fold);
+            if (std::optional<NearbyFit> there =
+                    settle_by(slopes(fold.rest, Eigen::all), fit, steps, start, found.simulations)) {
+                values = std::move(there->values);
+            } else if (fit.move_to(start) || fit.move_to(Eigen::VectorXd(full.values))) {
+                values = refit(fit, few_iterations).values;
+            } else {
                 found.ok = false;
                 continue;
             }
-            values = refit(fit, few_iterations).values;
             found.simulations += fit.simulator().simulations();
             found.values.push_back(values);
         }
@@ -173,12 +240,16 @@ HeldOutErrors held_out(const input::Experiment& model, const Observations& obser
         Fit fit(own, test);
         fit.simulator().take_steps(steps);
         fit.take_covariance(subset(covariance, fold.test));
-        if (!fit.move_to(fit.simulator().start())) {
+        const std::vector<Eigen::Index> own_columns = columns_of_own(model, fold);
+        std::optional<NearbyFit> there =
+            settle_by(slopes(fold.test, own_columns), fit, steps, fit.simulator().start(), found.simulations);
+        if (!there && !fit.move_to(fit.simulator().start())) {
             found.ok = false;
             continue;
         }
         const Eigen::VectorXd simulated =
-            own.parameters.empty() ? fit.now().simulated : refit(fit, few_iterations).simulated;
+            there ? std::move(there->simulated)
+                  : (own.parameters.empty() ? fit.now().simulated : refit(fit, few_iterations).simulated);
         found.simulations += fit.simulator().simulations();
         for (std::size_t i = 0; i < fold.test.size(); ++i) {
             const auto k = static_cast<Eigen::Index>(i);

@@ -15,12 +15,7 @@ namespace {
 /// Simulates an experiment's runs over given steps, at some values of the model's numbers.
 ModelPrediction simulate_over(const Model& model, const input::Experiment& experiment,
                               std::vector<std::vector<double>> steps) {
-    const Simulator numbers(experiment, model.observations);
-    input::Experiment still = experiment;
-    for (std::size_t r = 0; r < still.runs.size(); ++r) {
-        still.runs[r].problem = numbers.problem(r, model.values);
-    }
-    still.parameters.clear();
+    const input::Experiment still = frozen_at(experiment, Simulator(experiment, model.observations), model.values);
     Simulator simulator(still, model.observations);
     simulator.take_steps(std::move(steps));
     return simulator.at(simulator.start());
@@ -41,6 +36,16 @@ std::vector<std::vector<double>> halved(const Model& model) {
 }
 
 }  // namespace
+
+input::Experiment frozen_at(const input::Experiment& experiment, const Simulator& numbers,
+                            const Eigen::VectorXd& values) {
+    input::Experiment still = experiment;
+    for (std::size_t r = 0; r < still.runs.size(); ++r) {
+        still.runs[r].problem = numbers.problem(r, values);
+    }
+    still.parameters.clear();
+    return still;
+}
 
 Eigen::VectorXd change_by_refinement(const Model& model, const input::Experiment* finer) {
     constexpr double second_order = 4.0 / 3.0;

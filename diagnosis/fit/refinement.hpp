@@ -12,6 +12,11 @@
 
 namespace tiretherm::diagnosis {
 
+/// The experiment as it stands at some values, with nothing free: what is simulated of it needs no sensitivities.
+/// @param numbers of the same experiment
+[[nodiscard]] input::Experiment frozen_at(const input::Experiment& experiment, const Simulator& numbers,
+                                          const Eigen::VectorXd& values);
+
 /// A model at the values that a fit has come to.
 struct Model {
     const input::Experiment& experiment;

@@ -8,6 +8,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "diagnosis/fit/gauss_newton.hpp"
+
 namespace tiretherm::diagnosis {
 
 namespace {
@@ -109,23 +111,28 @@ Eigen::VectorXd Refit::deviations() const {
     return found;
 }
 
+GaussNewtonStep gauss_newton_step(const Fit& fit, Refit& at) {
+    const Eigen::VectorXd downhill =
+        at.slopes.transpose() * at.residual + at.precision.cwiseSqrt().cwiseProduct(at.known);
+    find_bounds(fit, downhill, at);
+    Eigen::VectorXd diagonal;
+    const Eigen::MatrixXd unit = normal_matrix(at, diagonal);
+    Eigen::VectorXd free = downhill;
+    for (Eigen::Index j = 0; j < free.size(); ++j) {
+        free[j] = at.at_bound[static_cast<std::size_t>(j)] ? 0.0 : free[j];
+    }
+    GaussNewtonStep step{.by = unit.llt().solve(free.cwiseQuotient(diagonal)).cwiseQuotient(diagonal)};
+    step.to_gain = step.by.dot(free);
+    return step;
+}
+
 Refit refit(Fit& fit, int most) {
     Refit at;
     look(fit, at);
     at.at_bound.assign(static_cast<std::size_t>(at.values.size()), false);
     for (at.iterations = 0; at.iterations < most; ++at.iterations) {
-        const Eigen::VectorXd downhill =
-            at.slopes.transpose() * at.residual + at.precision.cwiseSqrt().cwiseProduct(at.known);
-        find_bounds(fit, downhill, at);
-        Eigen::VectorXd diagonal;
-        const Eigen::MatrixXd unit = normal_matrix(at, diagonal);
-        Eigen::VectorXd free = downhill;
-        for (Eigen::Index j = 0; j < free.size(); ++j) {
-            free[j] = at.at_bound[static_cast<std::size_t>(j)] ? 0.0 : free[j];
-        }
-        const Eigen::VectorXd step = unit.llt().solve(free.cwiseQuotient(diagonal)).cwiseQuotient(diagonal);
         // The predicted gain of a full step is compared with what is noise: a thousandth of a standard deviation.
-        const double predicted = step.dot(free);
+        const auto [step, predicted] = gauss_newton_step(fit, at);
         if (predicted < settled * settled) {
             at.converged = true;
             break;

@@ -281,6 +281,28 @@ TEST(HeldOut, TheTrueModelIsLeftWithItsNoise) {
     EXPECT_NEAR(std::sqrt(out.mean_square(made.observations, 1)), 0.3, 0.03);
 }
 
+// Folds are fitted by the slopes of the fit to everything. They come to where a fit with slopes of its own comes to, which stops
+// within a twentieth of a standard deviation itself.
+TEST(HeldOut, AFoldComesToWhereAFitWithItsOwnSlopesDoes) {
+    const Fitted3 made;
+    const HeldOutErrors out = held_out(made.experiment, made.observations, made.noise, made.steps, made.full);
+    const std::vector<Fold> folds = folds_of(made.observations);
+    ASSERT_EQ(out.values.size(), folds.size());
+    for (std::size_t f = 0; f < folds.size(); ++f) {
+        const Observations rest = subset(made.observations, folds[f].rest);
+        Fit fit(made.experiment, rest);
+        fit.simulator().take_steps(made.steps);
+        fit.take_covariance(subset(made.noise, folds[f].rest));
+        ASSERT_TRUE(fit.move_to(made.full.values));
+        const Refit own = refit(fit);
+        const Eigen::VectorXd deviation = own.deviations();
+        for (Eigen::Index j = 0; j < 2; ++j) {
+            EXPECT_NEAR(out.values[f][j], own.values[j], 0.1 * deviation[j])
+                << made.experiment.parameters[static_cast<std::size_t>(j)].name;
+        }
+    }
+}
+
 // Not fitted, the case's own numbers stay: a film 5 % and a loss 7 % off leave more than a degree in the bulk.
 TEST(HeldOut, TheCaseAsItStandsIsNotFitted) {
     const Fitted3 made;
