@@ -24,6 +24,7 @@
 #include "diagnosis/observations/thinning.hpp"
 #include "input/validation/validation.hpp"
 #include "post/diagnosis/diagnosis_report.hpp"
+#include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/report/remark_text.hpp"
 #include "solver/sensitivity/kept_results.hpp"
 #include "solver/stop_signal.hpp"
@@ -37,6 +38,9 @@ struct DiagnoseOptions : MeasuredCall {
     bool by_run = false;      ///< each run alone, too, however long that takes
     bool no_by_run = false;   ///< neither: where that is quick
 };
+
+/// From which on whoever waits is told the answer before each run is diagnosed alone.
+constexpr double long_wait = 10.0;  // s
 
 /// Each run alone, where there are several and nobody has asked for an end; or why not.
 diagnosis::RunVerdicts diagnosed_by_run(const DiagnoseOptions& call, const input::Experiment& experiment,
@@ -164,10 +168,6 @@ int diagnose(DiagnoseOptions call, const TableOptions& of_table) {
     options.progress = count.stages();
     diagnosis::Diagnosis result = diagnosis::diagnose(experiment, observations, options);
     diagnosis::take_data_faults(std::move(faults), experiment, result);
-    diagnosis::RunVerdicts by_run;
-    if (result.status.ok()) {
-        by_run = diagnosed_by_run(call, experiment, result, options);
-    }
     count.wipe();
     if (!result.status.ok()) {
         return report_failure(call, result.status, *folder, *journal, "nothing was diagnosed");
@@ -180,11 +180,17 @@ int diagnose(DiagnoseOptions call, const TableOptions& of_table) {
                                  .data = call.data_files(),
                                  .warnings = post::texts_of(remarks),
                                  .findings = reading->data_warnings,
-                                 .by_run = std::move(by_run),
+                                 .by_run = {},
                                  .with_page = !call.no_report,
                                  .inputs = reading->files};
     std::ranges::copy(reading->warnings, std::back_inserter(record.warnings));
     std::ranges::copy(post::texts_of(thinned.remarks), std::back_inserter(record.findings));
+    if (!call.quiet && !call.no_by_run && experiment.runs.size() > 1 && result.seconds > long_wait &&
+        !solver::stop_requested()) {
+        fmt::print(stderr, "tiretherm: all runs together: {}\n", post::reason_of(record));
+    }
+    record.by_run = diagnosed_by_run(call, experiment, result, options);
+    count.wipe();
     const auto files = write_measured(call, *folder, names, [&](const std::filesystem::path& stage) {
         return post::write_diagnosis(record, stage, folder->path());
     });

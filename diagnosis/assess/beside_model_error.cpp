@@ -158,7 +158,8 @@ bool unknown_source_beats(DiagnosisState& state, const HeldOutErrors& before) {
 
 std::vector<std::size_t> by_score(const ScoreTestData& score_data, std::size_t most) {
     std::vector<std::pair<double, std::size_t>> ranking;
-    for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
+    const auto scored = static_cast<std::size_t>(score_data.scores.z.size());  // none before the score tests
+    for (std::size_t k = 0; k < scored; ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         ranking.emplace_back(admitted(score_data.scores.z[i], score_data.sign[i]), k);
     }

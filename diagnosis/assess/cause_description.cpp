@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "input/text/word_lists.hpp"
 #include "physics/plausible_ranges.hpp"
 
 namespace tiretherm::diagnosis {
@@ -44,6 +45,7 @@ Cause describe_cause(const ScoreTestData& score_data, const FittedHypothesis& on
     };
     const Eigen::Index j = one.number_of(i);
     add(j, candidate.parameter, 1.0);
+    cause.numbers.back().absent = candidate.absent;
     for (const solver::FreeParameter::Companion& companion : candidate.companions) {
         add(j, companion.parameter, companion.factor);
     }
@@ -83,6 +85,42 @@ void Cause::widen(const std::vector<double>& half) {
         number.low = std::min(number.low, number.value - reach);
         number.high = std::max(number.high, number.value + reach);
     }
+}
+
+bool Cause::may_be_absent() const {
+    return std::ranges::any_of(numbers, [](const CauseNumber& number) {
+        return number.absent && number.low <= *number.absent && *number.absent <= number.high;
+    });
+}
+
+bool withdraw_what_may_be_absent(Diagnosis& diagnosis) {
+    const auto may_be_absent = [&](const std::vector<std::size_t>& member) {
+        return std::ranges::all_of(member, [&](std::size_t cause) { return diagnosis.causes[cause].may_be_absent(); });
+    };
+    if (diagnosis.hypotheses.empty() || !diagnosis.gain.measured || diagnosis.gain.confirmed ||
+        !std::ranges::all_of(diagnosis.hypotheses, may_be_absent)) {
+        return false;
+    }
+    std::vector<std::string> names;
+    for (const std::size_t cause : diagnosis.hypotheses.front()) {
+        names.push_back(diagnosis.causes[cause].id);
+    }
+    diagnosis.reason = remark::may_be_absent(input::listed(names), 100.0 * diagnosis.gain.removed);
+    diagnosis.verdict = Verdict::cannot_tell;
+    diagnosis.hypotheses.clear();
+    diagnosis.held_out_gains.clear();
+    diagnosis.gain = {};
+    for (Cause& cause : diagnosis.causes) {
+        cause.in_set = false;
+    }
+    diagnosis.extended_model.reset();
+    diagnosis.extended = diagnosis.base;
+    diagnosis.free_numbers.clear();
+    diagnosis.model_error.clear();
+    for (ChannelGain& channel : diagnosis.channels) {
+        channel.rmse_after = channel.rmse_before;
+    }
+    return true;
 }
 
 }  // namespace tiretherm::diagnosis

@@ -121,6 +121,11 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& asked, Diagnosis
         measure_gain(state, result);
     }
     describe_model_error(state, result);
+    if (withdraw_what_may_be_absent(result)) {
+        state.set.clear();
+        state.verdict = result.verdict;
+        describe_model_error(state, result);
+    }
     if (choice.plan_next) {
         part = Part::next_experiment;
         state.score_data.say({.doing = Work::next_experiment});
@@ -168,7 +173,8 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
         result = cannot_tell(std::move(result), experiment, observations);
         return;
     }
-    state.score_data = prepare_score_tests(fine, observations, candidates_of(fine, fine.candidates), choice.progress);
+    state.score_data.progress = choice.progress;
+    prepare_score_tests(fine, observations, candidates_of(fine, fine.candidates), state.score_data);
     result.status = state.score_data.status;
     corrected = observations;
     bool is_coarse = false;
@@ -272,10 +278,10 @@ Diagnosis diagnose(const input::Experiment& experiment, const Observations& obse
     try {
         diagnose(experiment, observations, choice, state, corrected, fine, result, part);
     } catch (const solver::Interrupted&) {
-        if (state.score_data.threshold > 0.0) {
+        if (state.score_data.base.values.size() > 0) {
             finish_early(state, part, result);
         } else {
-            result.status = {solver::Outcome::stopped, "stopped during the fit and the score tests of the candidates"};
+            result.status = {solver::Outcome::stopped, "stopped during the first simulation"};
         }
     }
     report_run_changes(state, result);

@@ -41,8 +41,9 @@ struct CauseNumber {
     double value = 0.0;
     double low = 0.0;  ///< 95 %
     double high = 0.0;
-    std::size_t fitted = 0;  ///< index of the fitted number that it follows, of the model with the cause
-    double factor = 1.0;     ///< its value over that number's: companions of a number move in proportion
+    std::size_t fitted = 0;          ///< index of the fitted number that it follows, of the model with the cause
+    double factor = 1.0;             ///< its value over that number's: companions of a number move in proportion
+    std::optional<double> absent{};  ///< the value at which the cause is absent, of the number that is its size
 };
 
 enum class CauseKind : std::uint8_t { effect, mesh };
@@ -69,6 +70,8 @@ struct Cause {
     /// Widens the interval of each number to what an error of the model leaves of it.
     /// @param half [n fitted numbers of the model] half widths
     void widen(const std::vector<double>& half);
+    /// Whether the interval of its size holds the value at which it is absent.
+    [[nodiscard]] bool may_be_absent() const;
 };
 
 /// Heat that no effect of the catalogue explains: where it enters and which signal it follows.
@@ -292,6 +295,10 @@ struct RicherModel {
     const input::Experiment* experiment = nullptr;
     input::MeshChange change{};  ///< that makes it of the experiment's mesh
 };
+
+/// Takes the answer back where every cause of the set may be absent, by its interval, and left-out data do not confirm it.
+/// @returns whether that was done: what follows the extended model is then to be described anew
+bool withdraw_what_may_be_absent(Diagnosis& diagnosis);
 
 struct DiagnosisOptions {
     bool measure_gain = true;

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double on_a_terminal = 0.1;  // s
 constexpr double in_a_pipe = 60.0;     // s
+constexpr double first_in_a_pipe = 10.0;
 
 /// A longer line would wrap, and then it could not be rewritten.
 std::string cut_to_width(const std::string& line, std::size_t width) {
@@ -134,7 +135,8 @@ void ProgressLine::show(const std::function<std::string(double elapsed)>& line) 
         return;
     }
     const double now = clock_();
-    if (now - written_ < (kind_ == Kind::rewritten ? on_a_terminal : in_a_pipe)) {
+    const double in_this_pipe = written_ == begun_ ? first_in_a_pipe : in_a_pipe;
+    if (now - written_ < (kind_ == Kind::rewritten ? on_a_terminal : in_this_pipe)) {
         return;
     }
     written_ = now;

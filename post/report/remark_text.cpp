@@ -113,6 +113,10 @@ const std::array wordings{
         "{} values for {} free parameters and {} noises leave nothing to judge the model by. Longer runs, more sensors "
         "or fewer free parameters would help."),
     words(remark::best_so_far, "Best so far, not fitted: {}."),
+    words(remark::may_be_absent,
+          "the largest improvement that was found, {}, may be chance: its interval reaches to where it is absent, and "
+          "its "
+          "gain on data that were left out ({:.1f} % of the mean square) is not confirmed."),
     words(remark::without_cause, "without any cause, {}"),
     words(remark::fits_at_end_of_range,
           "{} fits better only with {} = {:.3g}, at the end of its plausible range: excluded from the verdict"),

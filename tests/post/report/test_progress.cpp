@@ -68,9 +68,9 @@ TEST(Progress, ALineOnATerminalIsRewrittenAtMostTenTimesASecondAndRemovedAtTheEn
     EXPECT_EQ(written(Kind::rewritten, {0.1, 0.15, 0.21}), "\r1\033[K\r2\033[K\r\033[K");
 }
 
-// The first line comes after a minute, the next a minute after it: of 30, 60, 100, 121 s the second and the last.
-TEST(Progress, InAPipeThereIsALineAMinute) {
-    EXPECT_EQ(written(Kind::each_minute, {30.0, 60.0, 100.0, 121.0}), "600\n1210\n");
+// The first line comes after ten seconds, the next a minute after it: of 9, 12, 60, 73, 100 s the second and the fourth.
+TEST(Progress, InAPipeThereIsALineAfterTenSecondsAndThenOneAMinute) {
+    EXPECT_EQ(written(Kind::each_minute, {9.0, 12.0, 60.0, 73.0, 100.0}), "120\n730\n");
 }
 
 TEST(Progress, StaysSilentWhenNotShown) { EXPECT_EQ(written(Kind::silent, {1.0, 100.0, 1000.0}), ""); }
