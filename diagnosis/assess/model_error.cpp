@@ -16,8 +16,8 @@ namespace {
 constexpr double many = 50.0;
 /// An rms beyond the noise that is smaller than this share of it is none.
 constexpr double least_error = 0.5;
-/// Blocks and what is left out widen an interval by this factor at most where nothing else speaks of an error of the model: where
-/// few of them tell what a number is, their scatter is uncertain itself.
+/// Blocks widen an interval by this factor at most where nothing else speaks of an error of the model: where few of them tell
+/// what a number is, their scatter is uncertain itself.
 constexpr double widest_undoubted = 2.0;
 /// Of the longest run: noise of a longer correlation may be an error of the model. A third of what noise is allowed to have.
 constexpr double short_correlation = 0.1 / 3.0;
@@ -170,13 +170,17 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
         deviations = block_deviations(fit, observations, length_of_blocks(observations, slow));
     }
     // How far a number moves when runs are left out shows what the scatter within them does not.
-    const Eigen::VectorXd jackknife =
-        jackknife_half_widths(state.search ? state.search->best().out.values : state.of_folds);
+    Eigen::VectorXd jackknife;
+    if (doubted) {
+        jackknife = jackknife_half_widths(state.search ? state.search->best().out.values : state.of_folds);
+    }
     std::vector<double> halves;
     for (Eigen::Index j = 0; j < fit.values.size(); ++j) {
-        const double blocks = deviations.wide * deviations.deviation[j];
-        const double half = j < jackknife.size() ? std::max(blocks, jackknife[j]) : blocks;
-        halves.push_back(doubted ? half : std::min(half, widest_undoubted * noise_alone[j]));
+        double blocks = deviations.wide * deviations.deviation[j];
+        if (!doubted) {
+            blocks = std::min(blocks, widest_undoubted * noise_alone[j]);
+        }
+        halves.push_back(j < jackknife.size() ? std::max(blocks, jackknife[j]) : blocks);
     }
     const std::vector<const Refit*> others = other_fits(state, !into.model_error.empty());
     for (std::size_t j = 0; j < score_data.experiment->parameters.size(); ++j) {
