@@ -285,7 +285,7 @@ Diagnosis diagnose(const input::Experiment& experiment, const Observations& obse
         }
     }
     report_run_changes(state, result);
-    if (result.base.size() > 0 && !state.score_data.candidates.empty()) {
+    if (result.base.size() > 0) {
         result.cannot_see = lookalikes_of(state.score_data);
         remark_on_lookalikes(result);
     }

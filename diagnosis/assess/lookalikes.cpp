@@ -41,7 +41,8 @@ NumberShare largest_part(const ScoreTestData& score_data, const Eigen::VectorXd&
 std::vector<Lookalike> lookalikes_of(const ScoreTestData& score_data) {
     const Refit& base = score_data.base;
     std::vector<Lookalike> found;
-    if (base.slopes.cols() == 0) {
+    const bool is_stopped = static_cast<std::size_t>(score_data.columns.cols()) < score_data.candidates.size();
+    if (base.slopes.cols() == 0 || is_stopped) {
         return found;
     }
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> numbers(base.slopes);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "diagnosis/fit/block_deviations.hpp"
@@ -197,16 +198,20 @@ TEST(HeldOut, TheTiresOfACarAreLeftOutTogether) {
     for (const Eigen::Index row : folds[1].test) {
         EXPECT_GE(observations.rows[static_cast<std::size_t>(row)].run, 2U);
     }
-    const auto has = [&](std::vector<std::size_t> runs, solver::FreeParameter::Kind kind) {
+    const auto has = [&](std::vector<std::size_t> runs, solver::FreeParameter::Kind kind,
+                         double known = std::numeric_limits<double>::infinity()) {
         solver::FreeParameter parameter;
         parameter.kind = kind;
+        parameter.standard_deviation = known;
         parameter.runs = std::move(runs);
         return folds[1].alone_has(parameter);
     };
     EXPECT_TRUE(has({2, 3}, solver::FreeParameter::Kind::initial));
     EXPECT_FALSE(has({0, 2}, solver::FreeParameter::Kind::initial));
     EXPECT_FALSE(has({}, solver::FreeParameter::Kind::initial));
-    EXPECT_FALSE(has({2, 3}, solver::FreeParameter::Kind::effect));  // a coefficient is not fitted to what it predicts
+    // A coefficient of which something was known before is predicted as it was known; of another the rest says nothing.
+    EXPECT_FALSE(has({2, 3}, solver::FreeParameter::Kind::effect, 0.1));
+    EXPECT_TRUE(has({2, 3}, solver::FreeParameter::Kind::effect));
 }
 
 // A run of 2400 s with laps that end at 500, 1000, 1500, 2000 and 2400 s: cut at 500, 1000 and 2000 s, the ends next to 600, 1200
