@@ -38,10 +38,10 @@ Diagnosis next_of_bench(const input::Experiment& experiment) {
 
 }  // namespace
 
-// A lag shows where temperatures change, heat through the sidewalls where they stay: of a tire that stands cold and one that is driven
-// warm the latter tells. More data never bring two explanations closer together.
+// Of a tire that stands cold and one that is driven warm the latter tells a sensor's gain from a loss that falls with the temperature:
+// both grow with the temperature that it has over the air. More data never bring two explanations closer together.
 TEST(NextExperiment, IsTheManoeuvreThatTellsTheLargestCausesApartWhereNothingWasFound) {
-    input::Experiment experiment = bench_with({"sensor_lag", "sidewall_convection"});
+    input::Experiment experiment = bench_with({"sensor_gain", "loss_tangent_slope"});
     experiment.possible = {manoeuvre("stands", {0.0, 1200.0}, {0.0, 0.0}, 0.0),
                            manoeuvre("drives", {0.0, 600.0, 605.0, 1200.0}, {40.0, 40.0, 10.0, 10.0}, 6000.0)};
     const Diagnosis result = next_of_bench(experiment);
@@ -64,7 +64,7 @@ TEST(NextExperiment, NeedsTwoExplanations) {
 
 // Half of the largest load of the runs, as a share and in newtons: the same manoeuvre.
 TEST(NextExperiment, AShareIsThatOfTheLargestOfTheRuns) {
-    input::Experiment experiment = bench_with({"sensor_lag", "sidewall_convection"});
+    input::Experiment experiment = bench_with({"sensor_gain", "loss_tangent_slope"});
     double most = 0.0;
     for (const input::MeasuredRun& run : experiment.runs) {
         for (const double t : run.time) {
