@@ -196,7 +196,7 @@ TEST(Stopped, EveryCommandThatSimulatesEndsWithASentence) {
         {"compare bench.toml" + data({}), "stopped at t = "},
         {"identify bench.toml" + data({}), "tiretherm: stopped during the fit; nothing was fitted"},
         {"diagnose bench.toml" + data({}),
-         "tiretherm: stopped during the fit and the score tests of the candidates; nothing was diagnosed"},
+         "tiretherm: stopped during the first simulation; nothing was diagnosed"},
         {"study study.toml", "tiretherm: stopped; 0 of 2 runs are kept in o"}};
     for (const Stopped& stopped : all) {
         for (const int signal : {SIGINT, SIGTERM}) {
