@@ -195,8 +195,7 @@ TEST(Stopped, EveryCommandThatSimulatesEndsWithASentence) {
         {"run slow.toml", "tiretherm: stopped at t = "},
         {"compare bench.toml" + data({}), "stopped at t = "},
         {"identify bench.toml" + data({}), "tiretherm: stopped during the fit; nothing was fitted"},
-        {"diagnose bench.toml" + data({}),
-         "tiretherm: stopped during the first simulation; nothing was diagnosed"},
+        {"diagnose bench.toml" + data({}), "tiretherm: stopped during the first simulation; nothing was diagnosed"},
         {"study study.toml", "tiretherm: stopped; 0 of 2 runs are kept in o"}};
     for (const Stopped& stopped : all) {
         for (const int signal : {SIGINT, SIGTERM}) {
