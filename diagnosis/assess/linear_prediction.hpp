@@ -51,9 +51,9 @@ private:
     [[nodiscard]] std::vector<Eigen::Index> columns_of(const std::vector<Eigen::Index>& chosen) const;
 
     Eigen::Index n_;
-    Eigen::Index last_;          ///< the column of what is left
-    Eigen::VectorXd precision_;  ///< [n + m] 0 of signatures
-    Eigen::VectorXd pull_;       ///< [n + m]
+    Eigen::Index last_;                              ///< the column of what is left
+    Eigen::VectorXd precision_;                      ///< [n + m] 0 of signatures
+    Eigen::VectorXd pull_;                           ///< [n + m]
     std::vector<std::pair<double, double>> bounds_;  ///< [n + m]
     std::vector<std::vector<bool>> own_;
     Eigen::MatrixXd all_;  ///< whitened, of all rows
