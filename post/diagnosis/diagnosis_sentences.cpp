@@ -177,7 +177,9 @@ std::string cannot_tell(const DiagnosisRecord& record) {
                            reason.empty() ? "" : " ", reason);
     }
     if (!reason.empty()) {
-        return fmt::format("These data do not allow a diagnosis: {}", reason);
+        const bool is_searched = diagnosis.n_candidates > 0;
+        return fmt::format("{}: {}", is_searched ? "No cause is certain" : "These data do not allow a diagnosis",
+                           reason);
     }
     if (diagnosis.numerical_error_sigma > coarse) {
         return fmt::format(

@@ -114,7 +114,7 @@ const std::array wordings{
         "or fewer free parameters would help."),
     words(remark::best_so_far, "Best so far, not fitted: {}."),
     words(remark::may_be_absent,
-          "the largest improvement that was found, {}, may be chance: its interval reaches to where it is absent, and "
+          "the largest improvement that was found, {}, may be chance. Its interval reaches to where it is absent, and "
           "its "
           "gain on data that were left out ({:.1f} % of the mean square) is not confirmed."),
     words(remark::without_cause, "without any cause, {}"),
