@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 
 #include "diagnosis/assess/cause_description.hpp"
 #include "diagnosis/fit/block_deviations.hpp"
@@ -56,8 +55,7 @@ TriedModel trial_of(const ScoreTestData& score_data, const FittedHypothesis& wit
 void take_prediction(const PredictionGain& gain, AdditionDoubt doubt, const FittedHypothesis& model,
                      const ScoreTestData& score_data, std::vector<TriedModel>& tried) {
     const auto is_of_it = [&](const TriedModel& one) { return one.model.candidates == model.candidates; };
-    const auto backwards = tried | std::views::reverse;
-    if (const auto trial = std::ranges::find_if(backwards, is_of_it); trial != backwards.end()) {
+    if (const auto trial = std::find_if(tried.rbegin(), tried.rend(), is_of_it); trial != tried.rend()) {
         trial->addition.doubt = doubt;
         trial->addition.removed = gain.removed;
         trial->addition.low = gain.low;
@@ -84,7 +82,8 @@ std::optional<ChannelChange> largest_change(const PredictionGain& gain, const Ob
 
 std::vector<TriedModel> ranked(std::vector<TriedModel> tried) {
     std::vector<TriedModel> once;
-    for (TriedModel& one : tried | std::views::reverse) {
+    std::ranges::reverse(tried);  // the latest of several alike counts
+    for (TriedModel& one : tried) {
         if (std::ranges::none_of(once, [&](const TriedModel& other) { return are_same(one, other); })) {
             once.push_back(std::move(one));
         }
