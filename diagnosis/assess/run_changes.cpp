@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "diagnosis/assess/linear_prediction.hpp"
+#include "diagnosis/fit/block_deviations.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"
 
 namespace tiretherm::diagnosis {
@@ -22,7 +23,7 @@ constexpr double least_share_of_number = 0.05;
 /// Nor is a change that moves no reading of its runs by this share of the sensor's noise (rms).
 constexpr double least_of_noise = 0.5;
 /// Blocks of time of each run at least.
-constexpr int fewest_blocks_of_run = 4;
+constexpr long fewest_blocks_of_run = 4;
 /// What a change must remove of the mean square, on blocks that were left out and on other runs.
 constexpr double least_removed_within = 0.03;
 /// What any cause that all runs have leaves there must be larger by this share: both are chosen, and the better one by chance.
@@ -77,26 +78,6 @@ void add_patterns(const Observations& observations, const RunChange& number, con
         std::iota(but_the_last.begin(), but_the_last.end(), 0);
         add(std::move(but_the_last), true);
     }
-}
-
-/// The block of time that each row lies in, all runs after another. @returns [n_rows], and how many there are
-std::pair<std::vector<std::size_t>, std::size_t> blocks_of_time(const Observations& observations, double seconds) {
-    std::vector<std::size_t> first{0};
-    std::vector<std::size_t> block;
-    for (std::size_t recording = 0; recording < observations.n_recordings(); ++recording) {
-        const auto [from, to] = observations.span_of(recording);
-        const long whole = std::max<long>(fewest_blocks_of_run, std::lround((to - from) / seconds));
-        first.push_back(first.back() + static_cast<std::size_t>(whole));
-    }
-    for (const Observations::Row& row : observations.rows) {
-        const std::size_t recording = observations.recordings[row.run];
-        const auto [from, to] = observations.span_of(recording);
-        const std::size_t blocks = first[recording + 1] - first[recording];
-        const double share = to > from ? (observations.times[row.run][row.time] - from) / (to - from) : 0.0;
-        block.push_back(first[recording] +
-                        std::min(blocks - 1, static_cast<std::size_t>(share * static_cast<double>(blocks))));
-    }
-    return {block, first.back()};
 }
 
 /// A length within which what is left is forgotten.
@@ -375,7 +356,9 @@ std::vector<RunChangeTest> test_run_changes(const LinearisedModel& model, const 
         }
         test.amplitude = columns.col(k).dot(residual) / square;
         const Eigen::VectorXd left = (residual - test.amplitude * columns.col(k)).head(white.rows());
-        const auto [block, n_blocks] = blocks_of_time(observations, length_to_forget(left, observations));
+        const std::vector<std::size_t> block =
+            blocks_of_rows(observations, length_to_forget(left, observations), fewest_blocks_of_run);
+        const std::size_t n_blocks = *std::ranges::max_element(block) + 1;
         Eigen::VectorXd score = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_blocks));
         for (std::size_t row = 0; row < block.size(); ++row) {
             const auto i = static_cast<Eigen::Index>(row);

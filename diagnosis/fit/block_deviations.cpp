@@ -53,14 +53,13 @@ double length_of_blocks(const Observations& observations, const std::vector<Nois
     return std::clamp(forgotten * slowest, total / most, total / fewest);
 }
 
-std::vector<std::size_t> blocks_of_rows(const Observations& observations, double seconds) {
+std::vector<std::size_t> blocks_of_rows(const Observations& observations, double seconds, long fewest) {
     std::vector<std::size_t> first{0};
     std::vector<std::pair<double, double>> spans;
     for (std::size_t recording = 0; recording < observations.n_recordings(); ++recording) {
         spans.push_back(observations.span_of(recording));
         const double length = spans.back().second - spans.back().first;
-        first.push_back(first.back() +
-                        std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(length / seconds))));
+        first.push_back(first.back() + static_cast<std::size_t>(std::max(fewest, std::lround(length / seconds))));
     }
     std::vector<std::size_t> blocks;
     for (const Observations::Row& what : observations.rows) {

@@ -31,8 +31,9 @@ struct BlockDeviations {
                                       int fewest = 8);
 
 /// The block of time that each row is in, counted over all recordings: each is divided into whole blocks of about this length.
-/// @param seconds > 0  @returns [n_rows]
-[[nodiscard]] std::vector<std::size_t> blocks_of_rows(const Observations& observations, double seconds);
+/// @param seconds > 0  @param fewest blocks of a recording  @returns [n_rows]
+[[nodiscard]] std::vector<std::size_t> blocks_of_rows(const Observations& observations, double seconds,
+                                                      long fewest = 1);
 
 /// Half of a 95 % interval of every number from how far it moves when a fold is left out: the jackknife (Quenouille, Biometrika
 /// 43 (1956) 353; Tukey 1958), with Student's t of as many folds.
