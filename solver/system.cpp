@@ -45,6 +45,10 @@ System::System(const Problem& problem)
     for (const physics::ActiveEffect& active : effects_) {
         first_coefficient_.push_back(n_coefficients_);
         n_coefficients_ += at(active.effect->n_coefficients());
+        const physics::HeatEffect* heat = active.effect->heat_effect();
+        if (heat != nullptr && heat->evaluate_coefficients != nullptr) {
+            with_coefficients_.push_back(first_coefficient_.size() - 1);
+        }
         for (std::size_t i = 0; i < active.lumped_nodes.size(); ++i) {
             lump_[at(active.lumped_nodes[i])] += active.effect->heat_effect()->capacity(active, i);
             if (active.effect->heat_effect()->is_memory) {
@@ -128,15 +132,17 @@ void System::evaluate_coefficients(const physics::Inputs& logged, std::span<doub
 
 void System::evaluate_coefficients(const physics::Inputs& logged, std::span<double> out, LeftOut left_out) const {
     const physics::Inputs inputs = transformed(logged);
-    const physics::Laws laws = this->laws(inputs, left_out);
+    evaluate_coefficients(with_coefficients_, inputs, laws(inputs, left_out), out);
+}
+
+void System::evaluate_coefficients(std::span<const std::size_t> which, const physics::Inputs& inputs,
+                                   const physics::Laws& laws, std::span<double> out) const {
     const physics::OperatingPoint point{
         .tire = material_model_.tire, .inputs = inputs, .laws = laws, .effects = effects_};
-    for (std::size_t e = 0; e < effects_.size(); ++e) {
+    for (const std::size_t e : which) {
         const physics::ActiveEffect& active = effects_[e];
-        const physics::HeatEffect* heat = active.effect->heat_effect();
-        if (heat != nullptr && heat->evaluate_coefficients != nullptr) {
-            heat->evaluate_coefficients(active, point, out.subspan(first_coefficient_[e], at(heat->n_coefficients)));
-        }
+        const physics::HeatEffect& heat = *active.effect->heat_effect();
+        heat.evaluate_coefficients(active, point, out.subspan(first_coefficient_[e], at(heat.n_coefficients)));
     }
 }
 

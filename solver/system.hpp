@@ -42,6 +42,10 @@ public:
     [[nodiscard]] physics::Inputs transformed(physics::Inputs inputs) const;
     /// Coefficients of all effects, one after the other, for the logged inputs of a moment. @param out [n_coefficients]
     void evaluate_coefficients(const physics::Inputs& logged, std::span<double> out) const;
+    /// Those of some effects alone, into their places. @param which indices into effects()
+    /// @param inputs after the input corrections  @param laws that hold under them
+    void evaluate_coefficients(std::span<const std::size_t> which, const physics::Inputs& inputs,
+                               const physics::Laws& laws, std::span<double> out) const;
     /// What the effects make of the laws at a moment. @param inputs after the input corrections  @param left_out an effect
     /// whose law is left out
     [[nodiscard]] physics::Laws laws(const physics::Inputs& inputs, std::optional<std::size_t> left_out = {}) const;
@@ -60,6 +64,10 @@ public:
     void find_means(std::span<const double> T, std::span<double> means) const;
     /// Mean temperature of every region at the last evaluation. @returns [n_regions] K
     [[nodiscard]] std::span<const double> means() const { return means_; }
+    /// The effects that have coefficients. @returns indices into effects()
+    [[nodiscard]] std::span<const std::size_t> with_coefficients() const { return with_coefficients_; }
+    /// Where an effect's coefficients begin among those of all.
+    [[nodiscard]] std::size_t first_coefficient(std::size_t effect) const { return first_coefficient_[effect]; }
     /// An effect's coefficients among those of all.
     [[nodiscard]] std::span<const double> coefficients_of(std::size_t effect, std::span<const double> all) const {
         return all.subspan(first_coefficient_[effect],
@@ -112,6 +120,7 @@ private:
     Pattern pattern_;
     std::size_t n_coefficients_ = 0;
     std::vector<std::size_t> first_coefficient_;  ///< [n_effects]
+    std::vector<std::size_t> with_coefficients_;  ///< effects that have any
     physics::Terms terms_;
     mutable physics::Terms here_;  ///< to work in: derivatives by difference, some effects alone
     physics::Terms there_;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesh/index.hpp"
+
 namespace tiretherm::solver {
 
 namespace {
@@ -99,6 +101,7 @@ ParameterPerturbation::ParameterPerturbation(const Problem& base, const FreePara
                (modifier != nullptr && modifier->modify_laws != nullptr);
     };
     bool scales_loss = false;
+    bool moves_all = moves_tire || is_input_number;
     for (std::size_t e = 0; e < ours.size(); ++e) {
         const physics::Effect& effect = *ours[e].effect;
         const bool moved_one = !same_places(ours[e], theirs[e]);
@@ -108,6 +111,14 @@ ParameterPerturbation::ParameterPerturbation(const Problem& base, const FreePara
         }
         scales_loss = scales_loss || (moved_one && effect.loss_law() != nullptr);
         moves_coefficients_ = moves_coefficients_ || moves_tire || (moved_one && depends_on_inputs(effect));
+        moves_all = moves_all || (moved_one && depends_on_inputs(effect) && effect.n_coefficients() == 0);
+    }
+    for (const std::size_t e : plus_->system.with_coefficients()) {
+        // Sliding in a contact looks at what the road takes.
+        const bool looks = ours[e].road >= 0 && !same_places(ours[at(ours[e].road)], theirs[at(ours[e].road)]);
+        if (!moves_all && (looks || !same_places(ours[e], theirs[e]))) {
+            driven_.push_back(e);
+        }
     }
     for (std::size_t e = 0; scales_loss && e < ours.size(); ++e) {
         const physics::HeatEffect* heat = ours[e].effect->heat_effect();
@@ -129,12 +140,16 @@ std::vector<double> ParameterPerturbation::start() const {
     return slope;
 }
 
-void ParameterPerturbation::open(double t0, double t1) {
+void ParameterPerturbation::open(double t0, double t1, StepForcing& base) {
     if (moves_coefficients_) {
         for (Side* side : {plus_.get(), minus_.get()}) {
             const std::span<const double> ended = side->forcing.stage(tableau(base_->settings.method).stages - 1);
             side->ended.assign(ended.begin(), ended.end());
-            side->forcing.open(t0, t1);
+            if (driven_.empty()) {
+                side->forcing.open(t0, t1);
+            } else {
+                side->forcing.open_beside(base, driven_);
+            }
         }
     }
 }

@@ -27,8 +27,8 @@ public:
     [[nodiscard]] bool moves_flow() const { return !moved_effects_.empty() || moves_coefficients_; }
     [[nodiscard]] bool moves_enthalpy() const { return moves_enthalpy_; }
 
-    /// Finds the coefficients over a step. @param t0, t1 s
-    void open(double t0, double t1);
+    /// Finds the coefficients over a step. @param t0, t1 s  @param base forcing of the base problem, with this step opened
+    void open(double t0, double t1, StepForcing& base);
     /// Whether this step begins with what the last one ended with.
     [[nodiscard]] bool goes_on() const;
     /// d(heat flow)/dp at a stage of the step. @param base coefficients of the base problem at this stage
@@ -84,7 +84,9 @@ private:
     bool moves_coefficients_ = false;
     bool follows_watts_ = false;              ///< a channel reads the heat of effects
     std::vector<std::size_t> moved_effects_;  ///< heat effects whose parameters or places differ
-    std::vector<std::size_t> contributing_;   ///< those that differ at a stage
+    /// Effects whose coefficients follow the parameter, while inputs and laws do not; empty where these do.
+    std::vector<std::size_t> driven_;
+    std::vector<std::size_t> contributing_;  ///< those that differ at a stage
     bool has_slope_jump_ = false;
 };
 

@@ -184,7 +184,7 @@ Status Tangent::take_step(std::span<const physics::Inputs> inputs) {
     }
     const double dt = stepper_->width();
     for (const std::unique_ptr<ParameterPerturbation>& perturbation : perturbations_) {
-        perturbation->open(stepper_->begin(), stepper_->time());
+        perturbation->open(stepper_->begin(), stepper_->time(), stepper_->forcing());
     }
     if (Status status = start_step(dt * stepper_->method().diagonal); !status.ok()) {
         return status;
@@ -218,7 +218,7 @@ Status Tangent::take_steady(const physics::Inputs& inputs) {
     const double t = stepper_->time();
     const std::span<const double> T = stepper_->temperature();
     for (const std::unique_ptr<ParameterPerturbation>& perturbation : perturbations_) {
-        perturbation->open(t, t);
+        perturbation->open(t, t, stepper_->forcing());
     }
     system_->evaluate(T, stepper_->coefficients(0));
     system_->matrices(1.0, true, A_, J_);

@@ -30,6 +30,9 @@ public:
 
     /// @param t0, t1 s; no stop of the input signals lies between them
     void open(double t0, double t1);
+    /// The step that another forcing has opened, where only some effects have other coefficients under the same inputs and laws.
+    /// @param opened of a problem whose inputs and laws are the same   @param which these effects, indices into System::effects()
+    void open_beside(StepForcing& opened, std::span<const std::size_t> which);
     /// For real time: inputs that go straight from one moment to the next.
     void open(const physics::Inputs& from, const physics::Inputs& to);
 
@@ -41,22 +44,32 @@ public:
     [[nodiscard]] std::span<const double> unresolved() const { return unresolved_; }
 
 private:
-    void sample(double t, JumpSide side, std::span<double> out) const;
-    void average(double t0, double t1, std::ptrdiff_t first, std::ptrdiff_t last);
+    /// What the inputs are at the times where a step is looked at, and the laws under them.
+    struct Moment {
+        physics::Inputs inputs;
+        physics::Laws laws;
+    };
+    void find_moments();
+    void find_stages(const StepForcing& moments, std::span<const std::size_t> which);
+    void average(const StepForcing& moments, std::size_t column);
 
     const System* system_;
-    std::optional<InputSignals> in_time_;  ///< the inputs without the delays of their logs, where there are any
-    const InputSignals* input_signals_;
+    const InputSignals* logged_;
+    std::optional<InputSignals> in_time_;          ///< the inputs without the delays of their logs, where there are any
+    const InputSignals* input_signals_ = nullptr;  ///< null before they are asked
     const Tableau* tableau_;
     KeptForcing* kept_;
     std::vector<std::vector<double>> stages_;
     std::optional<physics::Inputs> ended_;  ///< in real time: what the last opened step ends with
+    double begin_ = 0.0;                    ///< s, of the last opened step
+    double end_ = 0.0;
     bool averaged_ = false;
     std::vector<double> unresolved_;
-    std::vector<double> nodes_;   ///< times of samples and midpoints of the step
-    std::vector<double> places_;  ///< [nodes] from 0 to 1 over the step
-    std::vector<double> widths_;  ///< [nodes] of two intervals from a node on, as shares of the step
-    std::vector<double> values_;  ///< [nodes][n_coefficients]
+    std::vector<double> nodes_;    ///< times of samples and midpoints of the step, or of its stages
+    std::vector<Moment> moments_;  ///< [nodes]; empty where nothing had to be found of the step
+    std::vector<double> places_;   ///< [nodes] from 0 to 1 over the step
+    std::vector<double> widths_;   ///< [nodes] of two intervals from a node on, as shares of the step
+    std::vector<double> values_;   ///< [nodes][n_coefficients]
 };
 
 }  // namespace tiretherm::solver

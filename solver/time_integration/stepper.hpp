@@ -78,6 +78,8 @@ public:
     [[nodiscard]] std::span<const StepMoment> stages() const { return stages_; }
     /// Intensities of all effects at a stage of the last attempted step. @returns [n_coefficients]
     [[nodiscard]] std::span<const double> coefficients(int i) const { return forcing_.stage(i); }
+    /// Of the last attempted step.
+    [[nodiscard]] StepForcing& forcing() { return forcing_; }
     [[nodiscard]] const Tableau& method() const { return *tableau_; }
     /// Length of the last accepted step. @returns s
     [[nodiscard]] double width() const { return now_.time - now_.step_begin; }

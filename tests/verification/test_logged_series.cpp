@@ -124,6 +124,42 @@ TEST(LoggedSeries, LineOfAStepStaysInsideTheSamples) {
     }
 }
 
+TEST(LoggedSeries, AStepBesideAnotherFindsTheSameFromTheInputsOfThat) {
+    // Another exponent of the film changes the film's coefficients alone: found beside the step of the case they are, to the last bit, those
+    // that are found alone, in a step that spans samples as in one between two of them. The other forcing is asked of nothing but the film.
+    const support::Samples speed = support::sampled(60.0, 0.5, [](double t) { return 30.0 + 5.0 * std::cos(1.1 * t); });
+    solver::Problem problem = support::two_node_problem({});
+    support::log(problem, "speed", speed.time, speed.value);
+    support::hold(problem, "vertical_load", 4000.0);
+    support::hold(problem, "air_temperature", 296.15);
+    support::hold(problem, "road_temperature", 296.15);
+    solver::Problem other = problem;
+    std::vector<std::size_t> film;
+    for (std::size_t e = 0; e < other.effects.size(); ++e) {
+        physics::ActiveEffect& active = other.effects[e];
+        if (active.effect->id == "air_convection") {
+            active.parameters[static_cast<std::size_t>(physics::find_parameter(*active.effect, "exponent"))] *= 1.01;
+            film.push_back(e);
+        }
+    }
+    ASSERT_EQ(film.size(), 1U);
+    const solver::System system(problem);
+    const solver::System changed(other);
+    solver::StepForcing base(system, problem.input_signals, solver::tr_bdf2);
+    solver::StepForcing alone(changed, other.input_signals, solver::tr_bdf2);
+    solver::StepForcing beside(changed, other.input_signals, solver::tr_bdf2);
+    for (const auto& [from, to] : {std::pair{10.0, 17.2}, std::pair{17.2, 17.4}}) {
+        base.open(from, to);
+        alone.open(from, to);
+        beside.open_beside(base, film);
+        EXPECT_EQ(beside.averaged(), alone.averaged());
+        for (int i = 0; i < solver::tr_bdf2.stages; ++i) {
+            EXPECT_FALSE(std::ranges::equal(beside.stage(i), base.stage(i)));
+            EXPECT_TRUE(std::ranges::equal(beside.stage(i), alone.stage(i)));
+        }
+    }
+}
+
 TEST(LoggedSeries, TemperaturesOfLongStepsAreThoseOfTheSamples) {
     // Truth: the same samples as a schedule, whose every point is a step, to 1e-5 K. Logged, the run makes far fewer
     // steps than there are samples and stays within three tolerances, in front and behind, every minute.
