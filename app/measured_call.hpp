@@ -2,6 +2,7 @@
 // Options and steps that compare, identify and diagnose share: case file, measured data, output directory and --json.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -81,23 +82,39 @@ public:
 
 private:
     void show(const diagnosis::Activity& stage, long simulations) {
+        if (simulations < of_this_) {  // another diagnosis, of a run alone
+            of_others_ += of_this_;
+        }
+        of_this_ = simulations;
+        const long done = of_others_ + simulations;
+        if (stage.doing != doing_ || stage.number != number_) {
+            at_begin_ = done;
+        }
         if (stage.doing != doing_ || stage.number < number_) {
             doing_ = stage.doing;
             begun_ = post::ProgressLine::wall_clock();
         }
         number_ = stage.number;
+        const auto total = [&](long ahead) {  // what was ahead of this piece may be exceeded by it
+            return static_cast<std::size_t>(stage.ahead.most > 0 ? std::max(at_begin_ + ahead, done) : 0);
+        };
         line_.show({.stage = {.doing = post::text_of(stage),
                               .of = stage.of,
                               .number = stage.number,
                               .count = stage.is_counted() ? stage.count : 0,
                               .elapsed = post::ProgressLine::wall_clock() - begun_},
-                    .done = static_cast<std::size_t>(simulations),
+                    .done = static_cast<std::size_t>(done),
+                    .total = total(stage.ahead.least),
+                    .at_most = total(stage.ahead.most),
                     .thing = "simulation"});
     }
 
     post::ProgressLine line_;
     diagnosis::Work doing_ = diagnosis::Work::none;
     std::size_t number_ = 0;
+    long of_this_ = 0;    ///< simulations of the diagnosis that goes on
+    long of_others_ = 0;  ///< and of those before it
+    long at_begin_ = 0;   ///< of all, when this piece began
     double begun_ = 0.0;  ///< s of wall time, when this stage began
 };
 

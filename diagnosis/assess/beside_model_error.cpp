@@ -80,6 +80,7 @@ void search_on(DiagnosisState& state, const RicherModel& richer) {
         return compare_predictions(before.out, after.out, observations, score_data.noise.channels, observations.stated);
     };
     score_data.say({.doing = Work::other_mesh, .of = richer.name});
+    --score_data.course.richer;
     const Covariance even = white_noise_of(observations.measured - search.best().hypothesis.fit.simulated,
                                            observations.blocks, observations.channels.size());
     const std::optional<PredictedModel> model = predicted_on(score_data, richer, even);
@@ -91,13 +92,15 @@ void search_on(DiagnosisState& state, const RicherModel& richer) {
         state.other_meshes.push_back(richer.name);
     }
     state.richer_meshes.push_back(described(richer.name, *model, gain, score_data));
-    ScoreTestData on_it =
-        prepare_score_tests(*richer.experiment, observations,
-                            candidates_of(*richer.experiment, richer.experiment->candidates), score_data.progress);
+    ScoreTestData on_it;
+    on_it.progress = score_data.progress;
+    on_it.simulations = score_data.simulations;
+    on_it.course.richer = score_data.course.richer;
+    prepare_score_tests(*richer.experiment, observations,
+                        candidates_of(*richer.experiment, richer.experiment->candidates), on_it);
     if (!on_it.status.ok()) {
         return;
     }
-    on_it.simulations += score_data.simulations;
     PredictionSearch there;
     there.base = *model;
     there.white = true;

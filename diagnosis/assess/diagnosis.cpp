@@ -174,6 +174,7 @@ void diagnose(const input::Experiment& experiment, const Observations& observati
         return;
     }
     state.score_data.progress = choice.progress;
+    state.score_data.course.richer = std::ssize(choice.richer);
     prepare_score_tests(fine, observations, candidates_of(fine, fine.candidates), state.score_data);
     result.status = state.score_data.status;
     corrected = observations;

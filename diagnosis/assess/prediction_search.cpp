@@ -374,6 +374,7 @@ void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {
         }
         now = settled(score_data, better.front().model);
         search.accepted.push_back({.model = now, .gain = better.front().gain});
+        score_data.course.additions = std::ssize(search.accepted);
         done.now.clear();
         is_second = false;
     }

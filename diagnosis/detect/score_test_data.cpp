@@ -146,6 +146,7 @@ void ScoreTestData::count(long more) {
 
 void ScoreTestData::say(Activity what) {
     stage = std::move(what);
+    stage.ahead = work_ahead(course, stage);
     if (stage.number <= 1) {
         stage_begin = std::chrono::steady_clock::now();
     }
@@ -216,9 +217,15 @@ ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Obs
 
 void prepare_score_tests(const input::Experiment& experiment, const Observations& observations,
                          std::vector<Candidate> candidates, ScoreTestData& score_data) {
-    score_data.say({.doing = Work::fitting_case});
     score_data.experiment = &experiment;
     score_data.observations = &observations;
+    const auto by_slope = std::ranges::count_if(candidates, &Candidate::by_slope);
+    score_data.course.runs = std::ssize(experiment.runs);
+    score_data.course.recordings = static_cast<long>(observations.n_recordings());
+    score_data.course.channels = std::ssize(observations.channels);
+    score_data.course.together = by_slope;
+    score_data.course.alone = std::ssize(candidates) - by_slope;
+    score_data.say({.doing = Work::fitting_case});
     Fit fit(experiment, observations);
     fit.take_stated_noise();
     score_data.noise = fit.covariance();

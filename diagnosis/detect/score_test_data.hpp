@@ -13,6 +13,7 @@
 #include "diagnosis/detect/candidate_sources.hpp"
 #include "diagnosis/detect/candidates.hpp"
 #include "diagnosis/detect/scores.hpp"
+#include "diagnosis/detect/work_ahead.hpp"
 #include "diagnosis/fit/refit.hpp"
 #include "diagnosis/remarks/stage.hpp"
 
@@ -46,6 +47,7 @@ struct ScoreTestData {
     long simulations = 0;
     Progress progress{};
     Activity stage{};
+    Course course{};
     std::chrono::steady_clock::time_point stage_begin{};  ///< of its first piece
 
     void count(long more);

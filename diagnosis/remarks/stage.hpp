@@ -29,6 +29,12 @@ enum class Work : std::uint8_t {
     next_experiment
 };
 
+/// Simulations that are still to come.
+struct WorkAhead {
+    long least = 0;  ///< where nothing more is found
+    long most = 0;   ///< where all that is allowed is; 0: nobody knows
+};
+
 /// What is being done: candidate 7 of 23, sidewall_convection.
 struct Activity {
     Work doing = Work::none;
@@ -36,6 +42,7 @@ struct Activity {
     std::size_t number = 0;  ///< of `count` equal pieces of work, from 1; 0: it is one piece, as long as it takes
     std::size_t count = 0;
     std::string run{};  ///< that is diagnosed alone; empty: all
+    WorkAhead ahead{};  ///< when this piece begins
 
     [[nodiscard]] bool is_counted() const { return number > 0; }
 };

@@ -106,14 +106,21 @@ std::string stage_text(const WorkDone::Stage& stage) {
 std::string work_line(const WorkDone& work, double elapsed) {
     const auto grouped_count = [](std::size_t n) { return grouped(static_cast<double>(n)); };
     std::string line = stage_text(work.stage);
-    line += work.total > 0
-                ? fmt::format("{} of {} {}s", grouped_count(work.done), grouped_count(work.total), work.thing)
-                : fmt::format("{} {}{}", grouped_count(work.done), work.thing, work.done == 1 ? "" : "s");
+    const std::string total =
+        grouped_count(work.total) + (work.at_most > work.total ? " to " + grouped_count(work.at_most) : std::string());
+    line += work.total > 0 ? fmt::format("{} of {} {}s", grouped_count(work.done), total, work.thing)
+                           : fmt::format("{} {}{}", grouped_count(work.done), work.thing, work.done == 1 ? "" : "s");
     const auto made = static_cast<double>(work.done - std::min(work.kept, work.done));
     if (made > 0.0 && elapsed > 0.0) {
         const double rate = made / elapsed;
         line += rate >= 0.1 ? fmt::format(", {:.2g} {}s/s", rate, work.thing)
                             : fmt::format(", {} a {}", duration(1.0 / rate), work.thing);
+        if (work.at_most > work.total) {
+            const auto seconds = [&](std::size_t to) { return static_cast<double>(to - work.done) / rate; };
+            return line + (work.total > work.done ? fmt::format(", {} to {} left", duration(seconds(work.total)),
+                                                                duration(seconds(work.at_most)))
+                                                  : fmt::format(", at most {} left", duration(seconds(work.at_most))));
+        }
         if (work.total > work.done) {
             return line + fmt::format(", about {} left", duration(static_cast<double>(work.total - work.done) / rate));
         }

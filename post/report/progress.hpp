@@ -39,13 +39,15 @@ struct WorkDone {
     Stage stage{};
     std::size_t done = 0;            ///< pieces
     std::size_t total = 0;           ///< 0: not known, and then nothing is said of the time left
+    std::size_t at_most = 0;         ///< where `total` is the least that it may become; otherwise 0
     std::size_t kept = 0;            ///< of those done, by an earlier call: they took no time
     std::string_view thing = "run";  ///< a piece
 };
 
 /// `candidate 7 of 23: sidewall_convection, about 40 s left, 212 simulations, 3.4 simulations/s, 62 s so far` - what is left
 /// is left of the candidates, by the six that are done - or where the total is known
-/// `12 of 40 runs, 3.1 runs/s, about 9 s left`. @param elapsed s of wall time
+/// `12 of 40 runs, 3.1 runs/s, about 9 s left`, or within what bounds `12 of 40 to 130 runs, 3 runs/s, 9.3 s to 39 s left`.
+/// @param elapsed s of wall time
 [[nodiscard]] std::string work_line(const WorkDone& work, double elapsed);
 
 /// One line of stderr: on a terminal rewritten at most ten times a second and removed at the end, in a file or a pipe a line

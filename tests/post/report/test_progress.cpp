@@ -42,6 +42,14 @@ TEST(Progress, TimeLeftFollowsFromTheRunsThatTookTime) {
     EXPECT_EQ(work_line({.done = 12, .total = 40, .kept = 2}, 20.0), "12 of 40 runs, 0.5 runs/s, about 56 s left");
 }
 
+// 12 in 4 s are 3 a second: 28 to 118 more take 9.3 to 39.3 s. Where all that is certain is done the rest may be nothing.
+TEST(Progress, TimeLeftLiesWithinTheBoundsOfTheTotal) {
+    EXPECT_EQ(work_line({.done = 12, .total = 40, .at_most = 130}, 4.0),
+              "12 of 40 to 130 runs, 3 runs/s, 9.3 s to 39 s left");
+    EXPECT_EQ(work_line({.done = 12, .total = 12, .at_most = 130}, 4.0),
+              "12 of 12 to 130 runs, 3 runs/s, at most 39 s left");
+}
+
 TEST(Progress, NothingIsSaidOfTheTimeLeftWhereTheTotalIsUnknown) {
     // 300 simulations in 150 s are 2 a second; one in 50 s is slower than 0.1 a second, which is said as seconds for one.
     EXPECT_EQ(work_line({.stage = {.doing = "looking back"}, .done = 300, .thing = "simulation"}, 150.0),
