@@ -79,7 +79,21 @@ void take_gain(const PredictionGain& gain, Gain& into) {
 }
 
 bool is_confirmed(const PredictionGain& gain, const Gain& taken) {
-    return taken.log_e >= confirming && gain.in_every_fold && gain.worst <= 1.0 + 0.02 && taken.low > least_confirmed;
+    return taken.log_e >= confirming && gain.in_every_fold && gain.worst <= 1.0 + 0.02 && taken.low > least_confirmed &&
+           gain.least_explained >= greater_part;
+}
+
+void leave_to_the_run(const DiagnosisState& found, Diagnosis& into) {
+    const FittedHypothesis* best = found.best();
+    if (!into.extended_model || best == nullptr || found.score_data.observations->n_recordings() > 1) {
+        return;
+    }
+    for (std::size_t i = 0; i < best->candidates.size(); ++i) {
+        const Candidate& candidate = found.score_data.candidates[best->candidates[i]];
+        if (is_drift(candidate.number().unit)) {
+            into.extended_values[best->number_of(i)] = candidate.absent;
+        }
+    }
 }
 
 void measure_gain(DiagnosisState& found, Diagnosis& into) {

@@ -80,6 +80,12 @@ double removed_share(const std::vector<Sums>& channels) {
 
 }  // namespace
 
+std::optional<double> share_explained(double before, double after, double noise) {
+    const double error = before * before - noise * noise;
+    return noise > 0.0 && error > noise * noise ? std::optional((before * before - after * after) / error)
+                                                : std::nullopt;
+}
+
 PredictionGain compare_predictions(const HeldOutErrors& before, const HeldOutErrors& after,
                                    const Observations& observations, const std::vector<Noise>& noise,
                                    const std::vector<double>& floor) {
@@ -133,6 +139,9 @@ PredictionGain compare_predictions(const HeldOutErrors& before, const HeldOutErr
         }
         const double ratio = all[c].after / all[c].before;
         gain.worst = std::max(gain.worst, std::sqrt(ratio));
+        gain.least_explained =
+            std::min(gain.least_explained,
+                     share_explained(all[c].rms_before(), all[c].rms_after(), floor[c]).value_or(gain.least_explained));
         removable += std::max(0.0, 1.0 - floor[c] * floor[c] * all[c].count / all[c].before);
         counted += 1.0;
         const double inflation = std::pow(independent.channels[c].sigma / noise[c].sigma, 2);

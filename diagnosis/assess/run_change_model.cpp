@@ -314,6 +314,8 @@ void report_run_changes(const DiagnosisState& state, Diagnosis& into) {
     if (!state.score_data.observations->channels.empty()) {
         add_gain(state, n, is_alone, into);
     }
+    // Which value the next run has of a trend was predicted of none.
+    into.gain.confirmed = into.gain.confirmed && std::ranges::none_of(state.run_changes, &RunChange::is_trend);
 }
 
 }  // namespace tiretherm::diagnosis

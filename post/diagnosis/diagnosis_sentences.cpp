@@ -56,7 +56,14 @@ std::string named(const Diagnosis& diagnosis) {
 /// Standard deviations from which on two explanations can be told apart.
 constexpr double enough = 2.0;
 
-std::string separation_sentence(const NextExperiment& next) {
+std::string separation_sentence(const Diagnosis& diagnosis) {
+    const NextExperiment& next = diagnosis.next.front();
+    if (next.now >= enough && !diagnosis.held_out_gains.empty()) {  // compared by what they predict
+        return fmt::format(
+            "They predict left-out data alike, as an error of the model stands beside them, though the sensors' noise "
+            "alone would tell them apart ({:.2g} standard deviations). {} would set them further apart, by {:.2g}.",
+            next.now, next.name, next.then);
+    }
     return fmt::format(
         "To tell them apart: {}. This additional test would raise their separation from {:.2g} to {:.2g} standard "
         "deviations (2 to 3 are needed).",
@@ -88,7 +95,7 @@ std::string confounded(const Diagnosis& diagnosis, const input::Experiment& expe
         text += fmt::format("; or, what no effect of the catalogue is, {}", text_of(*diagnosis.unknown, experiment));
     }
     return fmt::format("Something is missing, and these data cannot tell apart: {}.{}", text,
-                       diagnosis.next.empty() ? "" : " " + separation_sentence(diagnosis.next.front()));
+                       diagnosis.next.empty() ? "" : " " + separation_sentence(diagnosis));
 }
 
 std::string unknown(const Diagnosis& diagnosis, const input::Experiment& experiment) {
@@ -279,25 +286,6 @@ std::string text_of(const NextExperiment& next) {
     return fmt::format("{}: from {:.2g} to {:.2g} sigma", next.name, next.now, next.then);
 }
 
-/// "speeds up to 162 km/h and vertical loads up to 6.6 kN": how far the runs go; empty where they give neither.
-std::string driven_range(const DiagnosisRecord& record) {
-    double speed = 0.0;
-    double load = 0.0;
-    for (std::size_t r = 0; r < record.observations.times.size(); ++r) {
-        const solver::InputSignals& signals = record.experiment.runs[r].problem.input_signals;
-        for (const double time : record.observations.times[r]) {
-            const physics::Inputs inputs = signals.at(time, solver::JumpSide::after);
-            speed = std::max(speed, signals.gives(*physics::find_signal("speed")) ? inputs.speed : 0.0);
-            load = std::max(load, signals.gives(*physics::find_signal("vertical_load")) ? inputs.vertical_load : 0.0);
-        }
-    }
-    std::string text = speed > 0.0 ? fmt::format("speeds up to {:.3g} km/h", 3.6 * speed) : "";
-    if (load > 0.0) {
-        text += fmt::format("{}vertical loads up to {:.2g} kN", text.empty() ? "" : " and ", 1e-3 * load);
-    }
-    return text;
-}
-
 std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
     const Diagnosis& result = record.result;
     const Gain& gain = result.gain;
@@ -316,7 +304,7 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
         const std::string data = gain.within_run ? "held-out parts of the run" : "held-out runs";
         std::string text = gain.confirmed ? fmt::format("Confidence: confirmed on {}", data)
                            : gain.removed > 0.0
-                               ? fmt::format("Confidence: not confirmed; {} are predicted slightly better", data)
+                               ? fmt::format("Confidence: not confirmed; {} are predicted better", data)
                                : fmt::format("Confidence: none; {} are not predicted better", data);
         if (best != nullptr) {
             const solver::Channel& channel = record.experiment.runs.front().problem.channels[best->channel];
@@ -325,7 +313,7 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
                 fmt::format(" ({}: rms from {:.2g} to {:.2g} {})", channel.name, unit.difference(best->heldout_before),
                             unit.difference(best->heldout_after), difference_unit(unit.name));
         }
-        text += ".";
+        text += "." + hardly_explained(record);
         if (const std::string range = driven_range(record); gain.confirmed && !range.empty()) {
             text += fmt::format(" Tested with {}, not beyond.", range);
         }
@@ -334,8 +322,10 @@ std::vector<std::string> certainty_of(const DiagnosisRecord& record) {
     if (const std::string where = where_it_shows(record); !where.empty()) {
         said.push_back("Remaining error: " + where);
     }
-    if (const std::string mesh = richer_mesh_sentence(record); !mesh.empty()) {
-        said.push_back(mesh);
+    for (const std::string& one : {richer_mesh_sentence(record), drift_of_the_run(record)}) {
+        if (!one.empty()) {
+            said.push_back(one);
+        }
     }
     if (!result.next.empty() && result.verdict != Verdict::confounded) {
         said.push_back(next_sentence(result));

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "diagnosis/assess/prediction_gain.hpp"
 #include "diagnosis/compare/observed_comparison.hpp"
+#include "input/text/word_lists.hpp"
 #include "post/comparison/comparison_sentences.hpp"
+#include "post/diagnosis/diagnosis_sentences.hpp"
 #include "post/report/number_text.hpp"
 #include "post/report/phase_text.hpp"
 
@@ -97,6 +101,58 @@ std::string where_it_shows(const DiagnosisRecord& record) {
     text += phases.empty() ? "" : ": " + phases;
     text += run.empty() ? "" : "; " + run;
     return text + "." + signal_of(*channel);
+}
+
+std::string hardly_explained(const DiagnosisRecord& record) {
+    std::vector<std::string> names;
+    for (std::size_t c = 0; c < std::min(record.result.channels.size(), record.observations.stated.size()); ++c) {
+        const ChannelGain& channel = record.result.channels[c];
+        const std::optional<double> share =
+            share_explained(channel.heldout_before, channel.heldout_after, record.observations.stated[c]);
+        if (share && *share < greater_part) {
+            names.push_back(record.experiment.runs.front().problem.channels[channel.channel].name);
+        }
+    }
+    return names.empty() || record.result.gain.confirmed || record.result.gain.removed <= 0.0
+               ? ""
+               : fmt::format(
+                     " The greater part of what is wrong with {} is left, and the answer may stand for a part of it: "
+                     "on other runs it may "
+                     "predict worse.",
+                     input::listed(names));
+}
+
+std::string drift_of_the_run(const DiagnosisRecord& record) {
+    std::vector<std::string> names;
+    for (const Cause& cause : record.result.causes) {
+        if (cause.in_set && !cause.numbers.empty() && is_drift(cause.numbers.front().unit)) {
+            names.push_back(name_of(cause));
+        }
+    }
+    return record.observations.n_recordings() != 1 || names.empty() || !record.result.extended_model
+               ? ""
+               : fmt::format(
+                     "{} of this run: whether it goes on in the next, begins anew or is gone, one run does not tell. "
+                     "extended.toml goes on without it.",
+                     input::listed(names));
+}
+
+std::string driven_range(const DiagnosisRecord& record) {
+    double speed = 0.0;
+    double load = 0.0;
+    for (std::size_t r = 0; r < record.observations.times.size(); ++r) {
+        const solver::InputSignals& signals = record.experiment.runs[r].problem.input_signals;
+        for (const double time : record.observations.times[r]) {
+            const physics::Inputs inputs = signals.at(time, solver::JumpSide::after);
+            speed = std::max(speed, signals.gives(*physics::find_signal("speed")) ? inputs.speed : 0.0);
+            load = std::max(load, signals.gives(*physics::find_signal("vertical_load")) ? inputs.vertical_load : 0.0);
+        }
+    }
+    std::string text = speed > 0.0 ? fmt::format("speeds up to {:.3g} km/h", 3.6 * speed) : "";
+    if (load > 0.0) {
+        text += fmt::format("{}vertical loads up to {:.2g} kN", text.empty() ? "" : " and ", 1e-3 * load);
+    }
+    return text;
 }
 
 }  // namespace tiretherm::post

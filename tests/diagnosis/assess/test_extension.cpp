@@ -3,6 +3,9 @@
 
 #include "diagnosis/assess/extension.hpp"
 
+#include <algorithm>
+
+#include "diagnosis/assess/diagnosis.hpp"
 #include "tests/diagnosis/practice_bench.hpp"
 
 namespace tiretherm::diagnosis::sample {
@@ -47,6 +50,39 @@ TEST(ExtendedModel, APartAtTheEndOfItsRangeIsLeftOutAndTheRestStays) {
     ASSERT_EQ(found.candidates.size(), 1U);
     EXPECT_EQ(score_data.candidates[found.candidates.front()].effect->id, "sensor_lag");
     EXPECT_NEAR(found.fit.values[found.number_of(0)], 12.0, 2.0);
+}
+
+/// The first runs of the bench, the probe of each drifting by 6 K in an hour.
+input::Experiment drifting_probe(std::size_t runs) {
+    std::vector<Log> logs = practice_logs();
+    logs.resize(runs);
+    for (Log& log : logs) {
+        const auto bulk = std::ranges::find_if(
+            log.headings, [](const std::string& heading) { return heading.starts_with("bulk_temperature"); });
+        std::vector<double>& readings = log.columns[static_cast<std::size_t>(bulk - log.headings.begin())];
+        for (std::size_t row = 0; row < readings.size(); ++row) {
+            readings[row] += 6.0 * log.columns.front()[row] / 3600.0;
+        }
+    }
+    input::Experiment experiment = practice_bench(logs);
+    experiment.candidates = {"sensor_drift"};
+    return experiment;
+}
+
+// 6 K/h in each of two runs is what the next run has; in the only run it is that run's, and the case that goes on is without it: 4 K at the
+// end of forty minutes. The drift is named both times.
+TEST(ExtendedModel, ADriftOfTheOnlyRunIsNotCarriedToTheNext) {
+    for (const std::size_t runs : {1U, 2U}) {
+        const input::Experiment bench = drifting_probe(runs);
+        const Diagnosis found = diagnose(bench, observe(bench), {.plan_next = false});
+        ASSERT_FALSE(found.hypotheses.empty());
+        const Cause& cause = found.causes[found.hypotheses.front().front()];
+        EXPECT_EQ(cause.id, "sensor_drift");
+        EXPECT_NEAR(cause.numbers.front().value, 6.0, 0.5);
+        ASSERT_TRUE(found.extended_model);
+        const auto rate = static_cast<Eigen::Index>(bench.parameters.size());
+        EXPECT_NEAR(found.extended_values[rate], runs == 1 ? 0.0 : cause.numbers.front().value, 1e-9);
+    }
 }
 
 }  // namespace

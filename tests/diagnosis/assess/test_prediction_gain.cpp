@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/assess/prediction_search.hpp"
 
 namespace tiretherm::diagnosis {
@@ -136,6 +137,26 @@ TEST(PredictionGain, IsAnImprovementBeyondChanceAndAtTheCostOfNothing) {
         one.in_every_fold = false;
         one.low = 0.11;  // too much to be one run's
     })));
+}
+
+// Noise of 0.5. Channel a shows sqrt(1.25) and is left with 1: 0.25 of the 1.00 beyond its noise, a quarter. Channel b falls from 1.5 to
+// 0.5: all 2.00 beyond its noise. Were a left with sqrt(0.7), 0.55 of 1.00 would be gone. A channel that shows 0.6 has less beyond its
+// noise, 0.11, than the noise itself, 0.25: nothing is asked of it.
+TEST(PredictionGain, IsNotConfirmedWhereTheGreaterPartOfASensorsErrorIsLeft) {
+    const Observations observations = two_channels(3);
+    const auto confirmed = [&](double before, double after) {
+        const PredictionGain gain = compare_predictions(
+            errors(observations, before, 1.5), errors(observations, after, 0.5), observations, white, {0.5, 0.5});
+        Gain taken;
+        take_gain(gain, taken);
+        return is_confirmed(gain, taken);
+    };
+    EXPECT_NEAR(*share_explained(std::sqrt(1.25), 1.0, 0.5), 0.25, 1e-12);
+    EXPECT_FALSE(confirmed(std::sqrt(1.25), 1.0));
+    EXPECT_TRUE(confirmed(std::sqrt(1.25), std::sqrt(0.7)));
+    EXPECT_FALSE(share_explained(0.6, 0.6, 0.5));
+    EXPECT_TRUE(confirmed(0.6, 0.6));
+    EXPECT_FALSE(share_explained(2.0, 2.0, 0.0));  // no noise is known
 }
 
 }  // namespace

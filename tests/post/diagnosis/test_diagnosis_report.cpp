@@ -100,6 +100,35 @@ TEST(DiagnosisReport, ConfoundedListsAllWithTheirSizesAndWhatWouldTell) {
     EXPECT_EQ(said["next_experiment"], "coast-down from 150 km/h, 5 min: from 1.2 to 7 sigma");
 }
 
+// Members of a search by prediction are alike in what they predict: 16 standard deviations of the noise are no "2 to 3 are needed".
+TEST(DiagnosisReport, MembersThatPredictAlikeAreNotAskedForASeparationThatTheyHave) {
+    MadeUp made_up = sample::confounded();
+    made_up.result.next = {{.name = "coast-down from 150 km/h, 5 min", .now = 16.0, .then = 36.0}};
+    made_up.result.held_out_gains = {{.causes = {0}, .removed = 0.5, .low = 0.4, .high = 0.6}};
+    const std::string reason = reason_of(made_up.record());
+    EXPECT_TRUE(has(
+        reason,
+        "They predict left-out data alike, as an error of the model stands beside them, though the sensors' noise "
+        "alone "
+        "would tell them apart (16 standard deviations). coast-down from 150 km/h, 5 min would set them further apart, "
+        "by 36."))
+        << reason;
+    EXPECT_FALSE(has(reason, "are needed")) << reason;
+}
+
+// The surface, with a sensor of 0.5 K, falls from 0.94 to 0.85 K: 0.16 of the 0.63 K2 beyond its noise.
+TEST(DiagnosisReport, AnAnswerThatLeavesTheGreaterPartMayStandForIt) {
+    MadeUp made_up = sample::named();
+    made_up.result.gain.confirmed = false;
+    made_up.result.gain.removed = 0.5;
+    made_up.result.channels[0].heldout_before = 0.94;
+    made_up.result.channels[0].heldout_after = 0.85;
+    EXPECT_TRUE(has(certainty_of(made_up.record()).front(),
+                    "The greater part of what is wrong with surface_temperature is left"));
+    made_up.result.channels[0].heldout_after = 0.5;
+    EXPECT_FALSE(has(certainty_of(made_up.record()).front(), "The greater part"));
+}
+
 TEST(DiagnosisReport, AnUnknownSourceMayStandBesideACause) {
     MadeUp made_up = sample::unknown();
     made_up.result.verdict = Verdict::confounded;
