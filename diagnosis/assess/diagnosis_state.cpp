@@ -198,7 +198,6 @@ void report(const DiagnosisState& found, Diagnosis& into) {
         into.extended_model = best->model;
         into.extended_values = best->fit.values;
         into.extended_mesh = found.change;
-        leave_to_the_run(found, into);
         if (found.verdict == Verdict::unknown) {
             into.extended_user_effects = {user_effect(found.score_data, found.unknown.term, 0)};
         }

@@ -99,10 +99,6 @@ void take_gain(const PredictionGain& gain, Gain& into);
 /// no cost.
 [[nodiscard]] bool is_confirmed(const PredictionGain& gain, const Gain& taken);
 
-/// Takes what drifts out of the case that goes on, where there was one recording: whether it goes on in the next run, begins anew or is
-/// gone, one run does not tell.
-void leave_to_the_run(const DiagnosisState& found, Diagnosis& into);
-
 /// What is left of each channel beyond its noise, and the free numbers with the intervals that this leaves them.
 void describe_model_error(const DiagnosisState& state, Diagnosis& into);
 

@@ -63,6 +63,13 @@ std::vector<double> noise_floor(const Observations& observations, const Eigen::V
     return floor;
 }
 
+/// Whether something drifts in the only recording: whether it goes on in the next, begins anew or is gone, that does not tell.
+bool drifts_in_the_only_run(const DiagnosisState& found, const FittedHypothesis& best) {
+    return found.score_data.observations->n_recordings() == 1 &&
+           std::ranges::any_of(best.candidates,
+                               [&](std::size_t k) { return is_drift(found.score_data.candidates[k].number().unit); });
+}
+
 }  // namespace
 
 void take_gain(const PredictionGain& gain, Gain& into) {
@@ -81,19 +88,6 @@ void take_gain(const PredictionGain& gain, Gain& into) {
 bool is_confirmed(const PredictionGain& gain, const Gain& taken) {
     return taken.log_e >= confirming && gain.in_every_fold && gain.worst <= 1.0 + 0.02 && taken.low > least_confirmed &&
            gain.least_explained >= greater_part;
-}
-
-void leave_to_the_run(const DiagnosisState& found, Diagnosis& into) {
-    const FittedHypothesis* best = found.best();
-    if (!into.extended_model || best == nullptr || found.score_data.observations->n_recordings() > 1) {
-        return;
-    }
-    for (std::size_t i = 0; i < best->candidates.size(); ++i) {
-        const Candidate& candidate = found.score_data.candidates[best->candidates[i]];
-        if (is_drift(candidate.number().unit)) {
-            into.extended_values[best->number_of(i)] = candidate.absent;
-        }
-    }
 }
 
 void measure_gain(DiagnosisState& found, Diagnosis& into) {
@@ -130,7 +124,7 @@ void measure_gain(DiagnosisState& found, Diagnosis& into) {
                 proven = proven || (sharp.low > 0.0 && plain.removed > 0.0);
                 into.gain.log_e = plain.removed > 0.0 ? sharp.log_odds : std::min(0.0, sharp.log_odds);
             }
-            into.gain.confirmed = proven && is_confirmed(plain, into.gain);
+            into.gain.confirmed = proven && is_confirmed(plain, into.gain) && !drifts_in_the_only_run(found, *best);
             if (!proven && plain.removed <= 0.0) {
                 into.extended_model.reset();  // it would predict no better than the case
             }

@@ -133,7 +133,7 @@ std::string drift_of_the_run(const DiagnosisRecord& record) {
                ? ""
                : fmt::format(
                      "{} of this run: whether it goes on in the next, begins anew or is gone, one run does not tell. "
-                     "extended.toml goes on without it.",
+                     "extended.toml lets it begin anew.",
                      input::listed(names));
 }
 

@@ -15,7 +15,7 @@ namespace tiretherm::post {
 [[nodiscard]] std::string driven_range(const DiagnosisRecord& record);
 /// " The greater part of what is wrong with surface_temperature is left ..."; empty where each sensor has lost it.
 [[nodiscard]] std::string hardly_explained(const DiagnosisRecord& record);
-/// That what drifts in the only run is not in the case that goes on; empty where nothing does.
+/// That of what drifts in the only run nobody knows the next; empty where nothing does.
 [[nodiscard]] std::string drift_of_the_run(const DiagnosisRecord& record);
 
 }  // namespace tiretherm::post
