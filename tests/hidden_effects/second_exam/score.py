@@ -21,6 +21,11 @@ import tempfile
 CPU_LIMIT = 200                                  # s of a set's diagnosis, then it is ended and counted
 WORSE = 1.02                                     # a prediction is worse from this ratio of rms on
 VISIBLE = 0.1                                    # K, below which nobody is asked to find a cause
+# Tables of an extended case that perfect runs have no use for: faults of instruments and logs, and the runs with the faults.
+OF_FAULTS = re.compile(r"\[(effects\.(sensor_|camera_emissivity|clock_|input_delay|slip_angle_offset|initial_temperature|\w+_input_gain"
+                       r"|\w+_temperature_drift)|\[run\]|data\b)")
+# Free numbers of the case: key in answer.json, and what the case has.
+OF_THE_CASE = {"air_convection.lambda_h": ("film_scale", 1.0), "strain_energy_loss.tan_delta_a": ("loss_scale", 2.14e15)}
 TIMING_IDS = {"sensor_lag", "clock_delay", "input_delay", "clock_rate"}
 
 
@@ -90,14 +95,17 @@ def matches(cause, found):
     return ""
 
 
-def interval_hits(answer, found):
-    """Two lists of truths held by their 95 % interval: of film and loss, of the parameters of named causes."""
-    free, named = [], []
-    true = {"air_convection.lambda_h": answer["true"]["film_scale"],
-            "strain_energy_loss.tan_delta_a": answer["true"]["loss_scale"] * 2.14e15}
+def interval_hits(answer, found, effective):
+    """Lists of what 95 % intervals hold: the effective and the true film and loss, true parameters of named causes; and half widths
+    of film and loss, as shares of what the case has."""
+    held, free, named, widths = [], [], [], []
     for number in found.get("free_numbers", []):
-        if number["name"] in true and number.get("low") is not None:
-            free.append(number["low"] <= true[number["name"]] <= number["high"])
+        if number["name"] in OF_THE_CASE and number.get("low") is not None:
+            key, unit = OF_THE_CASE[number["name"]]
+            free.append(number["low"] <= answer["true"][key] * unit <= number["high"])
+            widths.append((number["high"] - number["low"]) / 2 / unit)
+            if effective:
+                held.append(number["low"] <= effective[number["name"]] <= number["high"])
     for cause in answer["causes"]:
         for name, channel, entry in named_causes(found):
             for key, value in (entry or {}).get("parameters", {}).items():
@@ -105,7 +113,31 @@ def interval_hits(answer, found):
                 if f"{name}.{key}" in cause["numbers"] and right_place and value.get("low") is not None:
                     scale = {"mm": 1e-3, "1/h": 1.0}.get(value["unit"], 1.0)
                     named.append(value["low"] * scale <= cause["numbers"][f"{name}.{key}"] <= value["high"] * scale)
-    return free, named
+    return held, free, named, widths
+
+
+def effective_numbers(options, answer, data, folder, log):
+    """What film and loss would be with perfect instruments: fitted to the perfect runs with white noise, beside what the diagnosis has
+    added to the tire (of several programmes some are left out where these have numbers of their own); or None."""
+    extended = folder / "diagnosis" / "extended.toml"
+    text, beside, own = 'include = ["base.toml"]\n', folder, set()
+    if extended.exists():
+        beside = extended.parent
+        text = "".join(table for table in re.split(r"(?m)^(?=\[)", extended.read_text()) if not OF_FAULTS.match(table))
+        found = json.loads((beside / "diagnosis.json").read_text())
+        own = {str(cause.get("run")) for cause in found.get("causes", []) if cause.get("in_set") and cause.get("run")}
+    if re.search(r"(?m)^\[mesh\]", text):  # another than the case's, with other regions
+        text += "".join(f'\n[[parameter]]\neffect = "{name.split(".")[0]}"\nkey = "{name.split(".")[1]}"\nexpected = {unit}\n'
+                        f"standard_deviation = {0.1 * unit}\n" for name, (_, unit) in OF_THE_CASE.items())
+        text += '\n[[parameter]]\ninitial = "temperature"\nstandard_deviation = "3 K"\n'
+    case = beside / "perfect.toml"
+    case.write_text(text + '\n[identify]\nnoise = "white"\n')
+    kept = [index for index in range(answer["runs"]) if f"run{index + 1}" not in own] or range(answer["runs"])
+    runs = [word for index in kept for word in ("--data", data / f"perfect{index + 1}.csv")]
+    code, _, told = run_program([options.program, "identify", case, *runs, "--out", folder / "perfect", "--no-report", "--json", "--fresh"], log)
+    if code != 0:
+        return None
+    return {one["name"]: one["value"] for one in json.loads(told)["parameters"] if one["name"] in OF_THE_CASE}
 
 
 def measure_set(options, number, log):
@@ -125,6 +157,7 @@ def measure_set(options, number, log):
         row[name] = kept_rms(options.program, out / "identified.toml", data / "kept_back.csv", folder / f"{name}_kept", log)
     extended = folder / "diagnosis" / "extended.toml"
     row["rms_extended"] = kept_rms(options.program, extended, data / "kept_back.csv", folder / "extended_kept", log)
+    row["effective"] = effective_numbers(options, answer, data, folder, log)
     return row
 
 
@@ -137,11 +170,11 @@ def judge_set(options, measured):
     row["causes"] = [(cause["name"], round(cause["size"], 2), cause["timing"]) for cause in answer["causes"]]
     row["answered"] = row["exit"] == 0 and page.exists()
     if not row["answered"]:
-        return {**row, "verdict": "none", "said": "", "matches": ["" for _ in row["causes"]], "free": [], "named": []}
+        return {**row, "verdict": "none", "said": "", "matches": ["" for _ in row["causes"]], "held": [], "free": [], "named": [], "widths": []}
     found = json.loads(page.read_text())
     unknown = found.get("unknown") or {}
     said = " | ".join("+".join(member) for member in found.get("set", []))
-    row["free"], row["named"] = interval_hits(answer, found)
+    row["held"], row["free"], row["named"], row["widths"] = interval_hits(answer, found, row.get("effective"))
     row.update(verdict=found["verdict"], confirmed=bool((found.get("gain") or {}).get("confirmed")),
                said=said or (f"{unknown.get('place')} after {unknown.get('follows')}" if unknown else ""),
                matches=[matches(cause, found) for cause in answer["causes"]],
@@ -175,6 +208,7 @@ SHARES = {
     "extended_worse": "extended worse by > 2 %, any verdict",
     "false_alarm": "false alarm on nothing hidden",
     "null_cannot_tell": "    no answer on nothing hidden",
+    "free_hold_effective": "95 % interval of film and loss holds the effective value",
     "free_hold_true": "95 % interval of film and loss holds the truth",
     "free_hold_true_on_nothing": "    on nothing hidden",
     "named_hold_true": "95 % interval of a named number holds the truth",
@@ -199,6 +233,7 @@ def figures(rows):
         "extended_worse": [ratio(row) > WORSE for row in rows if ratio(row)],
         "false_alarm": [row["verdict"] in ("named", "confounded", "unknown", "partial") for row in nulls],
         "null_cannot_tell": [row["verdict"] == "cannot_tell" for row in nulls],
+        "free_hold_effective": [hit for row in rows for hit in row["held"]],
         "free_hold_true": [hit for row in rows for hit in row["free"]],
         "free_hold_true_on_nothing": [hit for row in nulls for hit in row["free"]],
         "named_hold_true": [hit for row in rows for hit in row["named"]],
@@ -211,6 +246,7 @@ def figures(rows):
         "last": rows[-1]["number"],
         "not_answered": sum(not row["answered"] for row in rows),
         "shares": {key: [sum(bool(hit) for hit in hits[key]), len(hits[key])] for key in SHARES},
+        "half_width_median": statistics.median([width for row in rows for width in row["widths"]] or [0]),
         "removed_median": statistics.median([share for _, share in removed] or [0]),
         "removed_median_layers": statistics.median([share for base, share in removed if base == "layers"] or [0]),
         "removed_median_two_nodes": statistics.median([share for base, share in removed if base != "layers"] or [0]),
@@ -225,6 +261,7 @@ def summary(found):
     lines += [f"{SHARES[key]:50}{n} of {of}" for key, (n, of) in found["shares"].items()]
     layers, two_nodes = found["removed_median_layers"], found["removed_median_two_nodes"]
     lines += [f"{'kept-back error removed, median':50}{found['removed_median']:.0%} (layers {layers:.0%}, two nodes {two_nodes:.0%})",
+              f"{'half width of film and loss, median':50}{found['half_width_median']:.1%}",
               f"{'CPU median / largest':50}{found['cpu_median']:.1f} / {found['cpu_most']:.1f} s"]
     return "\n".join(lines)
 

@@ -4,9 +4,11 @@
 
     second_dirty_exam.py --first 0 --last 23 --out FOLDER
 
-makes FOLDER/set000 and so on with run1.csv ..., kept_back.csv and answer.json. A set follows from its number alone.
+makes FOLDER/set000 and so on with run1.csv ..., kept_back.csv, answer.json and perfect1.csv ..., which are the runs as sound
+instruments and loggers without noise would have them. A set follows from its number alone.
 """
 import argparse
+import dataclasses
 import json
 import pathlib
 
@@ -185,6 +187,15 @@ def plan_set(number):
                 causes=causes, noise=noise, random=random)
 
 
+def write_perfect_runs(folder, plan, channels):
+    """The runs that are fitted with true inputs and what sound instruments read of them, without noise."""
+    sound = [dataclasses.replace(cause, instrument=None) for cause in plan["causes"]]
+    [readings] = true_readings(plan, [sound])
+    for drive, run in zip(plan["drives"][:plan["fitted"]], plan["runs"]):
+        true, _ = what_happens(drive, sound, run)
+        write_run(folder / f"perfect{run.index + 1}.csv", true, readings[run.index], 0.01, channels)
+
+
 def describe(plan, rms, free):
     """The answer: causes by size, largest first."""
     named = [dict(name=cause.name, size=size, ids=cause.ids, words=cause.words, unknown=cause.unknown, channels=cause.channels,
@@ -209,6 +220,7 @@ def make_set(number, folder):
         _, log = what_happens(drive, plan["causes"], run)
         name = "kept_back.csv" if run.kept else f"run{index + 1}.csv"
         write_run(folder / name, log, noisy, plan["noise"]["quantum"], channels)
+    write_perfect_runs(folder, plan, channels)
     text = json.dumps(describe(plan, rms, free), indent=1, default=float)
     (folder / "answer.json").write_text(text + "\n")
 

@@ -4,8 +4,9 @@
 
     third_dirty_exam.py --first 0 --last 31 --out FOLDER
 
-makes FOLDER/set000 and so on with run1.csv ..., kept_back.csv and answer.json. A set follows from its number alone. With --sound
-nothing is hidden, film and loss are those of the bench, and there is no noise: what the truth and the base model differ by.
+makes FOLDER/set000 and so on with run1.csv ..., kept_back.csv, answer.json and perfect1.csv ..., which are the runs as sound
+instruments and loggers without noise would have them. A set follows from its number alone. With --sound nothing
+is hidden, film and loss are those of the bench, and there is no noise: what the truth and the base model differ by.
 """
 import argparse
 import json
@@ -13,7 +14,7 @@ import pathlib
 
 import numpy as np
 
-from causes import answer, draw_causes, log_of, through_instruments
+from causes import COMP, answer, draw_causes, log_of, through_instruments
 from programmes import CELSIUS, KINDS, draw_programme
 from rolling_tire import LANE, layered_mesh, simulate, two_lumps
 
@@ -186,6 +187,17 @@ def write_run(path, plan, log, celsius):
     np.savetxt(path, np.column_stack([*columns, celsius[:, :channels]]), fmt=",".join(formats), header=",".join(header), comments="")
 
 
+def write_perfect_runs(folder, plan):
+    """The runs that are fitted with true inputs and what sound instruments read of them, without noise."""
+    [readings] = true_readings(plan, [{name: numbers for name, numbers in plan["causes"].items() if name in COMP}])
+    interval = plan["interval"]
+    for run in range(plan["fitted"]):
+        programme, celsius = plan["programmes"][run], readings[run] - CELSIUS
+        time = np.arange(0, programme["time"][-1] + 0.5 * interval, interval)
+        sampled = np.stack([np.interp(time, programme["time"], column) for column in celsius.T], axis=1)
+        write_run(folder / f"perfect{run + 1}.csv", plan, programme, sampled)
+
+
 def describe(plan, rms, fits):
     """The answer: causes by size, largest first."""
     entries = [answer(name, numbers, size) for (name, numbers), size in zip(plan["causes"].items(), rms[1:])]
@@ -207,6 +219,7 @@ def make_set(number, folder, sound=False):
         celsius = write_readings(plan, readings[0][run])
         name = "kept_back.csv" if run == plan["fitted"] else f"run{run + 1}.csv"
         write_run(folder / name, plan, log_of(programme, numbers_of(plan["causes"])), celsius)
+    write_perfect_runs(folder, plan)
     (folder / "answer.json").write_text(json.dumps(describe(plan, rms, fits), indent=1, default=float) + "\n")
 
 
