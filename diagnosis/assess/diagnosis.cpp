@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
+#include "diagnosis/assess/instrument_doubt.hpp"
 #include "diagnosis/assess/lookalikes.hpp"
 #include "diagnosis/assess/window_names.hpp"
 #include "diagnosis/detect/discretisation_error.hpp"
@@ -126,6 +127,7 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& asked, Diagnosis
         state.verdict = result.verdict;
         describe_model_error(state, result);
     }
+    widen_by_instruments(state, result);
     if (choice.plan_next) {
         part = Part::next_experiment;
         state.score_data.say({.doing = Work::next_experiment});

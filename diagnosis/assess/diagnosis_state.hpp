@@ -65,6 +65,9 @@ void search_hypotheses(DiagnosisState& state);
 /// or without one as slow as is allowed.
 [[nodiscard]] bool has_model_error(const ScoreTestData& score_data);
 
+/// Whether the model has errors beside any cause: that were looked for by prediction, or are left, or show in the noise.
+[[nodiscard]] bool is_doubted(const DiagnosisState& state);
+
 /// Whether a channel's noise is plainly larger than the data sheet says: the fitted base leaves no more than the noise that is
 /// estimated beside all that any candidate could explain, and that is of short correlation.
 [[nodiscard]] bool is_plainly_noise(const ScoreTestData& score_data, std::size_t c);

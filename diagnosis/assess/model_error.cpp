@@ -6,6 +6,7 @@
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/fit/block_deviations.hpp"
+#include "diagnosis/fit/linearised_model.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"
 
 namespace tiretherm::diagnosis {
@@ -83,6 +84,28 @@ std::vector<const Refit*> other_fits(const DiagnosisState& state, bool error) {
     return others;
 }
 
+/// Numbers without each half of each recording, in the linearised model. Two recordings leave one degree of freedom, of which
+/// Student's t is 12.7: their halves leave three.
+std::vector<Eigen::VectorXd> values_without_halves(const Refit& fit, const Observations& observations) {
+    const LinearisedModel linear = linearise(fit, observations);
+    std::vector<Eigen::VectorXd> values;
+    for (std::size_t recording = 0; recording < observations.n_recordings(); ++recording) {
+        const auto [from, to] = observations.span_of(recording);
+        for (const bool second : {false, true}) {
+            RowIndices rest;
+            for (std::size_t row = 0; row < observations.rows.size(); ++row) {
+                const Observations::Row& what = observations.rows[row];
+                const bool is_late = observations.times[what.run][what.time] > 0.5 * (from + to);
+                if (observations.recordings[what.run] != recording || is_late != second) {
+                    rest.push_back(static_cast<Eigen::Index>(row));
+                }
+            }
+            values.push_back(fit.values + solve(linear, rest).cwiseProduct(fit.scale));
+        }
+    }
+    return values;
+}
+
 }  // namespace
 
 bool is_plainly_noise(const ScoreTestData& score_data, std::size_t c) {
@@ -131,6 +154,10 @@ bool has_model_error(const ScoreTestData& score_data) {
     return false;
 }
 
+bool is_doubted(const DiagnosisState& state) {
+    return state.search || state.something_left || has_model_error(state.score_data);
+}
+
 void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
     const ScoreTestData& score_data = state.score_data;
     const Observations& observations = *score_data.observations;
@@ -138,7 +165,7 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
     const std::vector<int> noise_of = noise_of_rows(observations);
     std::vector<Noise> slow = score_data.noise.channels;
     // The noise beside the span of all candidates says nothing of an error that one of them could explain and none does.
-    const bool doubted = state.search || state.something_left || has_model_error(score_data);
+    const bool doubted = is_doubted(state);
     for (std::size_t c = 0; c < observations.channels.size(); ++c) {
         HeldOutErrors all{.left = left};
         const double square = all.mean_square(observations, c);
@@ -171,7 +198,9 @@ void describe_model_error(const DiagnosisState& state, Diagnosis& into) {
     }
     // How far a number moves when runs are left out shows what the scatter within them does not.
     Eigen::VectorXd jackknife;
-    if (doubted) {
+    if (doubted && observations.n_recordings() == 2) {
+        jackknife = jackknife_half_widths(values_without_halves(fit, observations));
+    } else if (doubted) {
         jackknife = jackknife_half_widths(state.search ? state.search->best().out.values : state.of_folds);
     }
     std::vector<double> halves;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an error of the model does to the intervals of a cause, and what the intervals do to the answer.
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
@@ -104,6 +106,60 @@ TEST(ModelError, AFreeNumberReachesToWhatEveryMemberOfTheSetMakesOfIt) {
     EXPECT_NEAR(found.free_numbers[0].high, 3.0 + half, 1e-6);
     EXPECT_NEAR(found.free_numbers[1].low, 2.0 - half, 1e-6);
     EXPECT_NEAR(found.free_numbers[1].high, 2.0 + half, 1e-6);
+}
+
+// Two recordings of 100 s, a sample a second of one channel, whose mean is the number. The halves of each are at 1 and -1, so that the
+// recordings agree to the last digit, and what is left without one of them says nothing. Without a half at x the mean is -x / 3, and the
+// jackknife is t(3) sqrt(3/4 x 4/9) = 3.182 / sqrt(3).
+TEST(ModelError, OfTwoRecordingsTheHalvesAreLeftOut) {
+    input::Experiment experiment;
+    experiment.parameters.push_back({.name = "level",
+                                     .unit = "K",
+                                     .layers = {},
+                                     .knots = {},
+                                     .nodes = {},
+                                     .runs = {},
+                                     .low = -100.0,
+                                     .high = 100.0});
+    Observations observations;
+    observations.channels = {0};
+    observations.names = {"probe"};
+    observations.stated = {10.0};
+    observations.recordings = {0, 1};
+    constexpr Eigen::Index n = 100;
+    observations.measured.resize(2 * n);
+    for (std::size_t run = 0; run < 2; ++run) {
+        std::vector<double> times;
+        for (std::size_t i = 0; i < n; ++i) {
+            times.push_back(static_cast<double>(i));
+            observations.rows.push_back({.run = run, .channel = 0, .time = i});
+            observations.measured[static_cast<Eigen::Index>(run * n + i)] = i < n / 2 ? 1.0 : -1.0;
+        }
+        const std::vector<double> values(n, 0.0);
+        observations.blocks.push_back(series_block(0, static_cast<Eigen::Index>(run) * n, times, values));
+        observations.times.push_back(std::move(times));
+    }
+    FittedHypothesis one;
+    one.model = experiment;
+    one.fit.values = Eigen::VectorXd::Zero(1);
+    one.fit.scale = Eigen::VectorXd::Ones(1);
+    one.fit.slopes = one.fit.raw = Eigen::MatrixXd::Ones(2 * n, 1);
+    one.fit.precision = one.fit.known = Eigen::VectorXd::Zero(1);
+    one.fit.residual = observations.measured;
+    one.fit.simulated = Eigen::VectorXd::Zero(2 * n);
+    one.fit.at_bound = {false};
+    DiagnosisState state;
+    state.score_data.experiment = &experiment;
+    state.score_data.observations = &observations;
+    state.score_data.noise.channels = {{.sigma = 1.0}};
+    state.set = {&one};
+    state.something_left = true;
+    state.of_folds = {one.fit.values, one.fit.values};
+    Diagnosis found;
+    found.extended = one.fit.simulated;
+    describe_model_error(state, found);
+    ASSERT_EQ(found.free_numbers.size(), 1u);
+    EXPECT_NEAR(found.free_numbers.front().high, 3.182 / std::sqrt(3.0), 1e-3);
 }
 
 }  // namespace tiretherm::diagnosis
