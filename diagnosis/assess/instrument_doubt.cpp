@@ -82,8 +82,7 @@ Eigen::VectorXd deviations_by_instruments(const ScoreTestData& score_data, const
     information.topLeftCorner(n, n).diagonal() += fit.precision(free).cwiseMax(1e-12);
     information.bottomRightCorner(m, m).diagonal().array() += 1.0;
     const Eigen::MatrixXd moves = information.topLeftCorner(n, n).ldlt().solve(information.topRightCorner(n, m));
-    const Eigen::MatrixXd left_open =
-        information.bottomRightCorner(m, m) - information.bottomLeftCorner(m, n) * moves;
+    const Eigen::MatrixXd left_open = information.bottomRightCorner(m, m) - information.bottomLeftCorner(m, n) * moves;
     const Eigen::VectorXd variance = (moves * left_open.ldlt().solve(moves.transpose())).diagonal();
     for (Eigen::Index j = 0; j < n; ++j) {
         found[free[static_cast<std::size_t>(j)]] =

@@ -80,7 +80,8 @@ TEST(InstrumentDoubt, WidensIntervalsWhereTheModelIsInDoubt) {
     Diagnosis found;
     found.verdict = Verdict::partial;
     found.free_numbers = {{.name = "loss", .unit = "1", .value = 3.0, .low = 2.7, .high = 3.3}};
-    found.causes = {{.id = "wind", .numbers = {{.key = "speed", .unit = "m s-1", .value = 3.0, .low = 2.7, .high = 3.3}}}};
+    found.causes = {
+        {.id = "wind", .numbers = {{.key = "speed", .unit = "m s-1", .value = 3.0, .low = 2.7, .high = 3.3}}}};
     widen_by_instruments(readings.state, found);
     EXPECT_DOUBLE_EQ(found.free_numbers.front().high, 3.3);
     readings.state.something_left = true;
