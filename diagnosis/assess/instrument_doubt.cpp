@@ -19,9 +19,10 @@ bool is_instrument(const Candidate& candidate) {
     return candidate.effect->sensor_model() != nullptr || candidate.effect->input_correction() != nullptr;
 }
 
-/// Whether a sensor or an input is found to be wrong: then instruments are not what the case says, and others may be wrong, too.
+/// Whether a sensor or an input is wrong whichever member of the set is right: then instruments are not what the case says, and others
+/// may be wrong, too.
 bool names_instrument(const DiagnosisState& state) {
-    return std::ranges::any_of(state.set, [&](const FittedHypothesis* member) {
+    return !state.set.empty() && std::ranges::all_of(state.set, [&](const FittedHypothesis* member) {
         return std::ranges::any_of(member->candidates, [&](std::size_t candidate) {
             return is_instrument(state.score_data.candidates[candidate]);
         });
