@@ -30,6 +30,9 @@ struct CauseGroup {
 [[nodiscard]] std::vector<CauseGroup> additions_to(const ScoreTestData& score_data, const FittedHypothesis& now,
                                                    const LinearPrediction& linear);
 
+/// Additions of one search at most.
+inline constexpr std::size_t most_additions = 5;
+
 /// A cause is dropped again when the model without it predicts no worse than by this share of the mean square.
 inline constexpr double superfluous = 0.01;
 

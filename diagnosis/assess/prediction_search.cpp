@@ -18,8 +18,6 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-/// Additions at most.
-constexpr std::size_t most_additions = 5;
 /// Additions that are fitted at each step before enough of them are admissible, how many that is, and of these how many are tested on
 /// data that were left out.
 struct Effort {

@@ -40,6 +40,10 @@ struct Addition {
     /// Values of the number at which changes are looked up.
     static constexpr std::size_t n_values = 121;
     [[nodiscard]] double value(std::size_t i) const;
+    /// Where its interactions with others are simulated: 0.6 of the way to the further end, about where fits of it end.
+    [[nodiscard]] double reference() const {
+        return absent + 0.6 * ((high - absent >= absent - low ? high : low) - absent);
+    }
     /// What it changes at all of these values, between the nodes by cubics.  @returns [n_values][rows]
     [[nodiscard]] std::vector<std::vector<double>> table() const;
     /// "sidewall_convection.conductance", "input hall", "offset of bulk_temperature"

@@ -31,8 +31,9 @@ double square_of(const std::vector<double>& values, const Counts& counts) {
 
 }  // namespace
 
-Judge::Judge(const Numbers& numbers, std::vector<bool> counts, const std::vector<Addition>& additions)
-    : numbers_(numbers), counts_(std::move(counts)), additions_(additions) {
+Judge::Judge(const Numbers& numbers, std::vector<bool> counts, const std::vector<Addition>& additions,
+             const Interactions* interactions)
+    : numbers_(numbers), counts_(std::move(counts)), additions_(additions), interactions_(interactions) {
     for (const Addition& addition : additions_) {
         tables_.push_back(addition.table());
     }
@@ -160,40 +161,25 @@ std::vector<double> Judge::leave_out_each(
     return changes;
 }
 
-HeldOut Judge::held_out(const std::vector<std::size_t>& chosen, const std::vector<double>& reference) const {
-    const std::vector<Block> all = blocks(chosen);
-    return summary(
-        leave_out_each([&](std::size_t experiment) { return fit(all, chosen, {experiment}, false).changes; }),
-        reference);
+HeldOut Judge::held_out(const AdditionSet& chosen, const std::vector<double>& reference) const {
+    return held_out_choice([&](std::size_t) { return chosen; }, reference);
 }
 
-HeldOut Judge::held_out_choice(const std::vector<std::size_t>& chosen, const std::vector<double>& reference) const {
-    std::vector<std::vector<std::size_t>> trials;
-    std::vector<std::vector<Block>> of_trials;
-    for (std::size_t a = 0; a < additions_.size(); ++a) {
-        const bool is_known =
-            std::ranges::any_of(chosen, [&](std::size_t one) { return additions_[one].is_same_cause(additions_[a]); });
-        if (!is_known && matters(a)) {
-            trials.push_back(chosen);
-            trials.back().push_back(a);
-            of_trials.push_back(blocks(trials.back()));
-        }
-    }
-    const auto best_without = [&](std::size_t experiment) {
-        std::vector<double> prediction = or_nothing(reference);
-        double best = mean_square(prediction, experiment);
-        for (std::size_t t = 0; t < trials.size(); ++t) {
-            const auto without_both = [&](std::size_t other) {
-                return fit(of_trials[t], trials[t], {experiment, other}, false).changes;
-            };
-            if (const double now = mean_square(leave_out_each(without_both, experiment), experiment); now < best) {
-                best = now;
-                prediction = fit(of_trials[t], trials[t], {experiment}, false).changes;
-            }
-        }
-        return prediction;
+HeldOut Judge::held_out_choice(const std::function<AdditionSet(std::size_t without)>& choose,
+                               const std::vector<double>& reference) const {
+    return summary(leave_out_each([&](std::size_t experiment) {
+                       const AdditionSet chosen = choose(experiment);
+                       return fit(blocks(chosen), chosen, {experiment}, false).changes;
+                   }),
+                   reference);
+}
+
+double Judge::left_out_error(const AdditionSet& chosen, std::size_t without) const {
+    const std::vector<Block> all = blocks(chosen);
+    const auto changes_without = [&](std::size_t experiment) {
+        return fit(all, chosen, {experiment, without}, false).changes;
     };
-    return summary(leave_out_each(best_without), reference);
+    return std::sqrt(mean_square(leave_out_each(changes_without, without), without));
 }
 
 }  // namespace tiretherm::diagnosis::quoted

@@ -4,10 +4,10 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "diagnosis/quoted/addition.hpp"
+#include "diagnosis/quoted/interactions.hpp"
 #include "diagnosis/quoted/quoted_numbers.hpp"
 
 namespace tiretherm::diagnosis::quoted {
@@ -27,6 +27,7 @@ struct AdditionFit {
     std::vector<bool> is_bound{};   ///< [additions] the fit ended at an end of the plausible range
     std::vector<double> changes{};  ///< [rows] of the model's value, of all rows
     double chi_squared = 0.0;       ///< of the rows that were fitted
+    double cost = 0.0;              ///< that, and what each number pays for its range
 };
 
 /// How well additions predict experiments that they were not fitted to. rms are over the rows that count.
@@ -41,25 +42,35 @@ struct HeldOut {
         better{};  ///< experiments whose own rms falls by more than a tenth of the total uncertainty
 };
 
+/// Indices of additions that are made together, none twice.
+using AdditionSet = std::vector<std::size_t>;
+
 /// Numbers, the rows of them that count, and the additions that are tried; holds what all fits share.
 class Judge {
 public:
+    static constexpr auto none = static_cast<std::size_t>(-1);
+
     /// @param counts [rows] which rows are fitted and judged   @param additions that can be simulated
-    Judge(const Numbers& numbers, std::vector<bool> counts, const std::vector<Addition>& additions);
+    /// @param interactions of these additions; null: they add up
+    Judge(const Numbers& numbers, std::vector<bool> counts, const std::vector<Addition>& additions,
+          const Interactions* interactions = nullptr);
 
     /// Fits the numbers of some additions to all experiments but those left out, each with its plausible range as two
     /// standard deviations: what the experiments do not ask for stays where it changes nothing.
-    /// @param chosen indices of additions, none twice
-    [[nodiscard]] AdditionFit fit(const std::vector<std::size_t>& chosen,
-                                  const std::vector<std::size_t>& left_out) const;
+    [[nodiscard]] AdditionFit fit(const AdditionSet& chosen, const std::vector<std::size_t>& left_out) const;
+    /// To all experiments, without the intervals, which cost most of it.
+    [[nodiscard]] AdditionFit fit_alone(const AdditionSet& chosen) const;
     /// Leaves out each experiment in turn.
     /// @param reference [rows] changes of the model that is improved upon, as predicted for each row; empty: none
-    [[nodiscard]] HeldOut held_out(const std::vector<std::size_t>& chosen,
-                                   const std::vector<double>& reference = {}) const;
-    /// The same, where the addition itself is chosen anew without the experiment that is left out, from all that may
-    /// join those chosen. It shows how far the choice can be trusted.
-    [[nodiscard]] HeldOut held_out_choice(const std::vector<std::size_t>& chosen,
+    [[nodiscard]] HeldOut held_out(const AdditionSet& chosen, const std::vector<double>& reference = {}) const;
+    /// The same, where the set itself is chosen anew without the experiment that is left out. It shows how far the choice can be
+    /// trusted.
+    /// @param choose a set by all experiments but one
+    [[nodiscard]] HeldOut held_out_choice(const std::function<AdditionSet(std::size_t without)>& choose,
                                           const std::vector<double>& reference = {}) const;
+    /// Root of the mean square of what is predicted of each experiment by the others, in total uncertainties.
+    /// @param without an experiment that takes no part; none: all take part
+    [[nodiscard]] double left_out_error(const AdditionSet& chosen, std::size_t without = none) const;
     /// Experiments with rows that count.
     [[nodiscard]] const std::vector<std::size_t>& experiments() const { return experiments_; }
     /// Which of them have a row further off than 2 of its total uncertainties.
@@ -89,7 +100,7 @@ private:
     /// For the rows of each experiment what is predicted without it; 0 of one that stays out of all.
     [[nodiscard]] std::vector<double> leave_out_each(
         const std::function<std::vector<double>(std::size_t experiment)>& changes_without,
-        std::size_t but = static_cast<std::size_t>(-1)) const;
+        std::size_t but = none) const;
     [[nodiscard]] HeldOut summary(std::vector<double> changes, const std::vector<double>& reference) const;
     [[nodiscard]] std::vector<double> or_nothing(const std::vector<double>& reference) const;
     /// Mean square score over the rows of all experiments but one.
@@ -100,6 +111,7 @@ private:
     const std::vector<Addition>& additions_;
     std::vector<std::vector<std::vector<double>>> tables_{};  ///< [additions][values][rows]
     std::vector<std::size_t> experiments_;
+    const Interactions* interactions_ = nullptr;
 };
 
 }  // namespace tiretherm::diagnosis::quoted

@@ -22,12 +22,18 @@ constexpr std::size_t coarse = 12;  ///< steps of the values in which the start 
 struct Chosen {
     const Addition* addition;
     const std::vector<std::vector<double>>* table;
+    std::vector<const std::vector<double>*>
+        with;  ///< [chosen] its interactions with the others; empty ones change nothing
 
     [[nodiscard]] std::size_t nearest_absent() const {
         const double share =
             addition->is_fitted() ? (addition->absent - addition->low) / (addition->high - addition->low) : 0.0;
         return static_cast<std::size_t>(
             std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(table->size() - 1)));
+    }
+    /// How far a value is from absent, 1 where interactions were simulated.
+    [[nodiscard]] double share(std::size_t i) const {
+        return (addition->value(i) - addition->absent) / (addition->reference() - addition->absent);
     }
 };
 
@@ -44,19 +50,14 @@ public:
     [[nodiscard]] std::vector<double> changes(const Indices& at) const {
         std::vector<double> sum(n_rows_, 0.0);
         for (std::size_t k = 0; k < at.size(); ++k) {
-            for (std::size_t r = 0; r < n_rows_; ++r) {
-                sum[r] += (*chosen_[k].table)[at[k]][r];
+            add((*chosen_[k].table)[at[k]], 1.0, sum);
+            for (std::size_t j = 0; j < k; ++j) {
+                add(*chosen_[k].with[j], chosen_[k].share(at[k]) * chosen_[j].share(at[j]), sum);
             }
         }
         return sum;
     }
-    [[nodiscard]] double cost(const Indices& at) const {
-        double sum = cost_(changes(at));
-        for (std::size_t k = 0; k < at.size(); ++k) {
-            sum += chosen_[k].addition->penalty(chosen_[k].addition->value(at[k]));
-        }
-        return sum;
-    }
+    [[nodiscard]] double cost(const Indices& at) const { return cost_(changes(at)) + penalties(at); }
     /// Where nothing is changed; of two numbers the best of a coarse grid, for two that compensate each other have a valley
     /// that single steps do not follow.
     [[nodiscard]] Indices start() const {
@@ -79,18 +80,13 @@ public:
     double descend(Indices& at, std::size_t held) const {
         double best = cost(at);
         for (std::size_t pass = 0; pass < most_passes; ++pass) {
-            bool moved = false;
+            const Indices before = at;
             for (std::size_t k = 0; k < at.size(); ++k) {
-                Indices trial = at;
-                for (trial[k] = 0; k != held && trial[k] < chosen_[k].table->size(); ++trial[k]) {
-                    if (const double now = cost(trial); now < best * (1.0 - 1e-12)) {
-                        best = now;
-                        at[k] = trial[k];
-                        moved = true;
-                    }
+                if (k != held) {
+                    best = descend_along(at, k, best);
                 }
             }
-            if (!moved || at.size() == 1) {
+            if (at == before || at.size() == 1) {
                 break;
             }
         }
@@ -98,6 +94,63 @@ public:
     }
 
 private:
+    static void add(const std::vector<double>& changes, double factor, std::vector<double>& sum) {
+        for (std::size_t r = 0; r < changes.size(); ++r) {
+            sum[r] += factor * changes[r];
+        }
+    }
+    [[nodiscard]] double penalties(const Indices& at) const {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < at.size(); ++k) {
+            sum += chosen_[k].addition->penalty(chosen_[k].addition->value(at[k]));
+        }
+        return sum;
+    }
+    /// Moves one number to its best value: in coarse steps, then in finer ones about the best. @returns the cost there
+    double descend_along(Indices& at, std::size_t k, double best) const {
+        const std::vector<std::vector<double>>& table = *chosen_[k].table;
+        Indices absent = at;
+        absent[k] = chosen_[k].nearest_absent();
+        std::vector<double> others(n_rows_, 0.0);  // at any value of this number
+        std::vector<double> with(n_rows_, 0.0);    // their interactions with it, at its reference value
+        for (std::size_t j = 0; j < at.size(); ++j) {
+            if (j == k) {
+                continue;
+            }
+            add((*chosen_[j].table)[at[j]], 1.0, others);
+            add(*chosen_[k].with[j], chosen_[j].share(at[j]), with);
+            for (std::size_t i = 0; i < j; ++i) {
+                if (i != k) {
+                    add(*chosen_[j].with[i], chosen_[j].share(at[j]) * chosen_[i].share(at[i]), others);
+                }
+            }
+        }
+        const double of_others =
+            penalties(absent) - chosen_[k].addition->penalty(chosen_[k].addition->value(absent[k]));
+        std::vector<double> sum;
+        const auto look = [&](std::size_t v) {
+            sum = others;
+            add(table[v], 1.0, sum);
+            add(with, chosen_[k].share(v), sum);
+            const double now = cost_(sum) + of_others + chosen_[k].addition->penalty(chosen_[k].addition->value(v));
+            if (now < best * (1.0 - 1e-12)) {
+                best = now;
+                at[k] = v;
+            }
+        };
+        for (std::size_t v = 0; v < table.size(); v += coarse) {
+            look(v);
+        }
+        for (std::size_t step = coarse / 4, reach = coarse; step > 0; reach = step, step /= 3) {
+            const std::size_t middle = at[k];
+            for (std::size_t v = middle > reach ? middle - reach : 0; v < table.size() && v <= middle + reach;
+                 v += step) {
+                look(v);
+            }
+        }
+        return best;
+    }
+
     std::vector<Chosen> chosen_;
     std::size_t n_rows_;
     std::function<double(const std::vector<double>& changes)> cost_;
@@ -144,11 +197,16 @@ double Judge::cost(const std::vector<Block>& blocks, const std::vector<std::size
     return sum;
 }
 
-AdditionFit Judge::fit(const std::vector<Block>& blocks, const std::vector<std::size_t>& chosen,
+AdditionFit Judge::fit(const std::vector<Block>& blocks, const AdditionSet& chosen,
                        const std::vector<std::size_t>& left_out, bool with_interval) const {
+    static const std::vector<double> nothing;
     std::vector<Chosen> all;
     for (const std::size_t one : chosen) {
-        all.push_back({.addition = &additions_[one], .table = &tables_[one]});
+        all.push_back({.addition = &additions_[one], .table = &tables_[one], .with = {}});
+        for (const std::size_t other : chosen) {
+            all.back().with.push_back(interactions_ == nullptr || one == other ? &nothing
+                                                                               : &interactions_->of(one, other));
+        }
     }
     const std::size_t n = all.size();
     const ValueSearch search(all, numbers_.rows.size(),
@@ -158,6 +216,7 @@ AdditionFit Judge::fit(const std::vector<Block>& blocks, const std::vector<std::
     const double lowest = search.descend(at, n);
     found.changes = search.changes(at);
     found.chi_squared = cost(blocks, left_out, found.changes);
+    found.cost = lowest;
     for (std::size_t k = 0; k < n; ++k) {
         const bool at_end = at[k] == 0 || at[k] + 1 == all[k].table->size();
         found.values.push_back(all[k].addition->value(at[k]));
@@ -186,8 +245,10 @@ AdditionFit Judge::fit(const std::vector<Block>& blocks, const std::vector<std::
     return found;
 }
 
-AdditionFit Judge::fit(const std::vector<std::size_t>& chosen, const std::vector<std::size_t>& left_out) const {
+AdditionFit Judge::fit(const AdditionSet& chosen, const std::vector<std::size_t>& left_out) const {
     return fit(blocks(chosen), chosen, left_out, true);
 }
+
+AdditionFit Judge::fit_alone(const AdditionSet& chosen) const { return fit(blocks(chosen), chosen, {}, false); }
 
 }  // namespace tiretherm::diagnosis::quoted

@@ -15,9 +15,27 @@ namespace {
 constexpr std::size_t most_rivals = 4;
 constexpr double little_left = 0.7;  ///< of the rms that a rival may leave where it is fitted
 
-/// The explanations that are compared: those that cannot be told apart, or else those that fit best.
-std::vector<const SingleAddition*> rivals_of(const Analysis& analysis) {
+/// An explanation that is compared with others.
+struct Rival {
+    std::string name;
+    std::vector<Applied> applied;
+    const std::vector<double>* changes;  ///< [rows]
+};
+
+/// The explanations that are compared: those that cannot be told apart, or else the sets that agree, or else the additions that fit
+/// best alone.
+std::vector<Rival> rivals_of(const Analysis& analysis) {
+    std::vector<Rival> found;
     const bool any_set = std::ranges::count_if(analysis.attempts, &SingleAddition::in_set) > 1;
+    for (const SetOfAdditions& set : analysis.agreeing) {
+        if (!any_set && found.size() < most_rivals) {
+            found.push_back({.name = set.name(), .applied = set.applied(), .changes = &set.fit.changes});
+        }
+    }
+    if (found.size() > 1) {
+        return found;
+    }
+    found.clear();
     std::vector<const SingleAddition*> all;
     for (const SingleAddition& attempt : analysis.attempts) {
         if (any_set ? attempt.in_set : attempt.rms_fitted < little_left * analysis.rms) {
@@ -26,12 +44,13 @@ std::vector<const SingleAddition*> rivals_of(const Analysis& analysis) {
     }
     std::ranges::stable_sort(
         all, [](const SingleAddition* a, const SingleAddition* b) { return a->rms_fitted < b->rms_fitted; });
-    std::vector<const SingleAddition*> found;
     for (const SingleAddition* attempt : all) {
         const bool is_new = std::ranges::none_of(
-            found, [&](const SingleAddition* one) { return one->addition.is_same_cause(attempt->addition); });
+            found, [&](const Rival& one) { return one.applied.front().addition->is_same_cause(attempt->addition); });
         if (is_new && found.size() < most_rivals) {
-            found.push_back(attempt);
+            found.push_back({.name = attempt->addition.name(),
+                             .applied = {{.addition = &attempt->addition, .value = attempt->fit.values.front()}},
+                             .changes = &attempt->fit.changes});
         }
     }
     return found;
@@ -49,7 +68,7 @@ double achievable(const Numbers& numbers) {
 }
 
 /// The input whose knowledge adds most to chi squared between two explanations.
-void find_input(const Numbers& numbers, const SingleAddition& one, const SingleAddition& other, NextMeasurement& next) {
+void find_input(const Numbers& numbers, const Rival& one, const Rival& other, NextMeasurement& next) {
     for (const UnknownInput& input : numbers.inputs) {
         double gain = 0.0;
         for (std::size_t r = 0; r < numbers.rows.size(); ++r) {
@@ -57,7 +76,7 @@ void find_input(const Numbers& numbers, const SingleAddition& one, const SingleA
             const double variance = row.total() * row.total();
             const double without = std::max(row.uncertainty * row.uncertainty, variance - input.covariance(r, r));
             const double apart =
-                row.residual(row.value + one.fit.changes[r]) - row.residual(row.value + other.fit.changes[r]);
+                row.residual(row.value + (*one.changes)[r]) - row.residual(row.value + (*other.changes)[r]);
             gain += apart * apart * (1.0 / without - 1.0 / variance);
         }
         if (gain > next.input_gain) {
@@ -71,18 +90,18 @@ void find_input(const Numbers& numbers, const SingleAddition& one, const SingleA
 
 std::optional<NextMeasurement> next_measurement(const Numbers& numbers, const Analysis& decidable, const Analysis& all,
                                                 Trials& trials) {
-    std::vector<const SingleAddition*> rivals = rivals_of(decidable);
+    std::vector<Rival> rivals = rivals_of(decidable);
     rivals = rivals.size() < 2 ? rivals_of(all) : rivals;
     if (rivals.size() < 2) {
         return std::nullopt;
     }
     std::vector<std::vector<ChannelEnd>> ends;
-    for (const SingleAddition* rival : rivals) {
-        ends.push_back(trials.ends({{.addition = &rival->addition, .value = rival->fit.values.front()}}));
+    for (const Rival& rival : rivals) {
+        ends.push_back(trials.ends(rival.applied));
     }
     NextMeasurement next{.uncertainty = achievable(numbers)};
-    const SingleAddition* one = nullptr;
-    const SingleAddition* other = nullptr;
+    const Rival* one = nullptr;
+    const Rival* other = nullptr;
     double widest = 0.0;
     for (std::size_t a = 0; a < rivals.size(); ++a) {
         for (std::size_t b = a + 1; b < rivals.size(); ++b) {
@@ -92,8 +111,8 @@ std::optional<NextMeasurement> next_measurement(const Numbers& numbers, const An
                 });
                 if (same != ends[b].end() && std::abs(same->value - end.value) > widest) {
                     widest = std::abs(same->value - end.value);
-                    one = rivals[a];
-                    other = rivals[b];
+                    one = &rivals[a];
+                    other = &rivals[b];
                     next.run = end.run;
                     next.channel = end.channel;
                     next.value_of_one = end.value;
@@ -105,8 +124,8 @@ std::optional<NextMeasurement> next_measurement(const Numbers& numbers, const An
     if (one == nullptr) {
         return std::nullopt;
     }
-    next.one = one->addition.name();
-    next.other = other->addition.name();
+    next.one = one->name;
+    next.other = other->name;
     find_input(numbers, *one, *other, next);
     return next;
 }

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
+#include <utility>
 
+#include "diagnosis/assess/additions.hpp"
 #include "diagnosis/quoted/next_measurement.hpp"
+#include "diagnosis/quoted/set_search.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::diagnosis::quoted {
@@ -18,7 +21,10 @@ constexpr double alarm = 2.33;        ///< standard deviations: one in a hundred
 constexpr double single_alarm = 3.5;  ///< u: one number of twenty passes it once in a hundred tables by chance
 constexpr double as_good = 9.0;       ///< rise of chi squared up to which an explanation is kept: 3 standard deviations
 constexpr std::size_t enough = 3;     ///< experiments that must show something before a rule can be tested on others
-constexpr std::size_t on_fine_mesh = 6;  ///< additions that are tried on top of a finer mesh, for its runs are long
+constexpr std::size_t most_in_pool = 20;  ///< additions of which sets are made: those that fit best alone
+constexpr std::size_t most_kept = 6;      ///< sets that agree
+constexpr double worth_one_more =
+    0.01;  ///< share of the error on experiments left out that one more addition must remove
 
 /// How much too large chi squared is, in standard deviations (Wilson and Hilferty, PNAS 17, 1931, 684).
 double significance_of(double chi_squared, double n) {
@@ -42,12 +48,12 @@ double freedom(const Numbers& numbers, const std::vector<bool>& counts, const st
 /// Works out one analysis from additions that have been simulated alone.
 class Analyst {
 public:
-    Analyst(const Numbers& numbers, const std::vector<Addition>& alone, Trials& trials, std::size_t most_steps)
-        : numbers_(numbers), alone_(alone), trials_(trials), most_steps_(most_steps) {}
+    Analyst(const Numbers& numbers, const std::vector<Addition>& alone, Interactions& interactions, Trials& trials)
+        : numbers_(numbers), alone_(alone), interactions_(interactions), trials_(trials) {}
 
     [[nodiscard]] Analysis analyse(std::vector<bool> counts) {
         Analysis result{.counts = std::move(counts)};
-        const Judge judge(numbers_, result.counts, alone_);
+        const Judge judge(numbers_, result.counts, alone_, &interactions_);
         const std::vector<double> nothing(numbers_.rows.size(), 0.0);
         result.n_rows = judge.n_rows();
         result.experiments = judge.experiments();
@@ -61,30 +67,42 @@ public:
         const bool is_off = result.significance > alarm ||
                             std::ranges::any_of(scores, [](double score) { return std::abs(score) > single_alarm; });
         if (is_off && result.experiments.size() >= enough) {
-            add_steps(result);
+            try_sets(judge, result);
         }
         conclude(judge, result, is_off);
         return result;
     }
 
 private:
+    /// Whether nothing significant is left where additions are fitted.
+    [[nodiscard]] bool fits(const Judge& judge, const Analysis& result, const AdditionFit& fit) const {
+        const double n = freedom(numbers_, result.counts, judge.scores(fit.changes));
+        return judge.off(fit.changes).empty() &&
+               significance_of(fit.chi_squared, n - static_cast<double>(fit.values.size())) < alarm;
+    }
+
     void try_each(const Judge& judge, Analysis& result) {
         const HeldOut base = judge.held_out({});
         result.rms = base.rms_before;
         result.kelvin = base.kelvin_before;
+        pool_.clear();
+        std::vector<double> costs(alone_.size(), 0.0);
         for (std::size_t a = 0; a < alone_.size(); ++a) {
             if (!judge.matters(a)) {
                 ++result.without_effect;
                 continue;
             }
             SingleAddition attempt{.addition = alone_[a], .fit = judge.fit({a}, {}), .held_out = judge.held_out({a})};
-            const std::vector<double> scores = judge.scores(attempt.fit.changes);
             attempt.rms_fitted = judge.rms(attempt.fit.changes);
-            attempt.fits =
-                judge.off(attempt.fit.changes).empty() &&
-                significance_of(attempt.fit.chi_squared, freedom(numbers_, result.counts, scores) - 1.0) < alarm;
+            attempt.fits = fits(judge, result, attempt.fit);
+            costs[a] = attempt.fit.cost;
+            if (alone_[a].is_fitted()) {  // another mesh stands for itself: it has causes of its own
+                pool_.push_back(a);
+            }
             result.attempts.push_back(std::move(attempt));
         }
+        std::ranges::stable_sort(pool_, {}, [&](std::size_t a) { return costs[a]; });
+        pool_.resize(std::min(pool_.size(), most_in_pool));
         // By whole per cent; what removes alike much stands by how well it fits.
         std::ranges::stable_sort(result.attempts, [](const SingleAddition& a, const SingleAddition& b) {
             const long more = std::lround(100.0 * a.held_out.removed.value);
@@ -93,82 +111,125 @@ private:
         });
     }
 
-    [[nodiscard]] std::vector<Applied> accepted(const Analysis& result) const {
-        std::vector<Applied> applied;
-        for (std::size_t k = 0; k < chosen_.size(); ++k) {
-            applied.push_back({.addition = &chosen_[k], .value = result.fit.values[k]});
-        }
-        return applied;
+    /// A search of which the cost is still to be said.
+    [[nodiscard]] SetSearch search() const {
+        return {.pool = pool_,
+                .most = most_additions,
+                .are_one_cause = [&](std::size_t a, std::size_t b) { return alone_[a].is_same_cause(alone_[b]); },
+                .prepare = [&](const AdditionSet& set) { interactions_.know(set); },
+                .cost = {}};
     }
-    [[nodiscard]] std::vector<std::size_t> indices_of_chosen() const {
-        std::vector<std::size_t> all(chosen_.size());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        return all;
+    [[nodiscard]] SetOfAdditions described(const Judge& judge, const Analysis& result, const AdditionSet& set) const {
+        SetOfAdditions found{.fit = judge.fit(set, {}), .held_out = judge.held_out(set)};
+        for (const std::size_t one : set) {
+            found.additions.push_back(alone_[one]);
+        }
+        found.rms_fitted = judge.rms(found.fit.changes);
+        found.fits = fits(judge, result, found.fit);
+        return found;
     }
 
-    /// The additions of a step: those accepted as they are alone, then all others on top of them.
-    [[nodiscard]] std::vector<Addition> on_top(const Analysis& result) {
-        std::vector<Addition> all = chosen_;
-        const std::vector<Applied> applied = accepted(result);
-        const bool is_fine =
-            std::ranges::any_of(chosen_, [](const Addition& one) { return one.kind == AdditionKind::mesh; });
-        std::size_t tried = 0;
-        for (const SingleAddition& attempt : result.attempts) {
-            const bool is_known =
-                std::ranges::any_of(chosen_, [&](const Addition& one) { return one.is_same_cause(attempt.addition); });
-            if (is_known || solver::stop_requested()) {
-                continue;
-            }
-            Addition next = attempt.addition;
-            const bool simulates = next.kind == AdditionKind::effect || next.kind == AdditionKind::number ||
-                                   next.kind == AdditionKind::mesh;
-            if (is_fine && simulates && ++tried > on_fine_mesh) {
-                continue;
-            }
-            trials_.simulate(next, numbers_, applied);
-            if (next.is_simulated) {
-                all.push_back(std::move(next));
-            }
-        }
-        return all;
-    }
-
-    void add_steps(Analysis& result) {
+    void try_sets(const Judge& judge, Analysis& result) {
+        const auto is_enough = [&](const AdditionSet& set) {
+            return !set.empty() && fits(judge, result, judge.fit_alone(set));
+        };
+        SetSearch by_prediction = search();
+        by_prediction.cost = [&](const AdditionSet& set) { return judge.left_out_error(set); };
+        by_prediction.is_enough = is_enough;
+        by_prediction.least_gain = worth_one_more;
         std::vector<double> reference;
-        chosen_.clear();
-        result.fit = {};
-        while (chosen_.size() < most_steps_ && !solver::stop_requested()) {
-            const std::vector<Addition> all = chosen_.empty() ? alone_ : on_top(result);
-            const Judge judge(numbers_, result.counts, all);
-            const std::vector<std::size_t> before = indices_of_chosen();
-            std::optional<std::size_t> best;
-            HeldOut of_best;
-            for (std::size_t a = before.size(); a < all.size(); ++a) {
-                std::vector<std::size_t> trial = before;
-                trial.push_back(a);
-                HeldOut now = judge.matters(a) ? judge.held_out(trial, reference) : HeldOut{};
-                if (judge.matters(a) && (!best || now.rms_after < of_best.rms_after)) {
-                    best = a;
-                    of_best = std::move(now);
+        for (const AdditionSet& set : best_sets(by_prediction)) {
+            if (set.empty()) {
+                continue;
+            }
+            SetOfAdditions found = described(judge, result, set);
+            found.further = judge.held_out(set, reference);
+            if (found.further.removed.low > 0.0) {
+                found.choice = judge.held_out_choice(
+                    [&](std::size_t without) { return chosen_without(judge, without, set.size()); }, reference);
+            }
+            result.sizes.push_back(found);
+            if (found.further.removed.low > 0.0 && found.choice.removed.low > 0.0) {
+                reference = found.held_out.changes;
+                result.accepted = std::move(found);
+                accepted_ = set;
+            }
+        }
+        if (result.accepted && result.accepted->fits) {
+            return;
+        }
+        SetSearch by_fit = search();
+        by_fit.cost = [&](const AdditionSet& set) { return judge.fit_alone(set).cost; };
+        by_fit.is_enough = is_enough;
+        const AdditionSet last = best_sets(by_fit).back();
+        if (is_enough(last)) {
+            find_agreeing(judge, result, last);
+        }
+    }
+
+    /// The set that would be chosen if one experiment were not known.
+    [[nodiscard]] AdditionSet chosen_without(const Judge& judge, std::size_t experiment, std::size_t size) const {
+        SetSearch blind = search();
+        blind.most = size;
+        blind.cost = [&](const AdditionSet& set) { return judge.left_out_error(set, experiment); };
+        blind.looks_back = false;
+        return best_sets(blind).back();
+    }
+
+    /// Sets with one addition exchanged, or the set itself, that cost little more than it. @returns cheapest first
+    [[nodiscard]] std::vector<AdditionSet> about_as_good(const Judge& judge, const Analysis& result,
+                                                         const AdditionSet& best,
+                                                         const std::vector<std::size_t>& among) const {
+        const AdditionFit of_best = judge.fit_alone(best);
+        const double dof = std::max(1.0, static_cast<double>(result.n_rows) - static_cast<double>(best.size()));
+        const double rise = as_good * std::max(1.0, of_best.chi_squared / dof);
+        std::vector<std::pair<double, AdditionSet>> found;
+        for (std::size_t place = 0; place < best.size(); ++place) {
+            for (const std::size_t other : among) {
+                AdditionSet trial = best;
+                const bool is_known = std::ranges::any_of(
+                    best, [&](std::size_t one) { return alone_[one].is_same_cause(alone_[other]); });
+                trial[place] = other;
+                if (is_known) {
+                    continue;
+                }
+                interactions_.know(trial);
+                if (const AdditionFit fit = judge.fit_alone(trial); fit.chi_squared <= of_best.chi_squared + rise) {
+                    found.emplace_back(fit.chi_squared, std::move(trial));
                 }
             }
-            if (!best || of_best.removed.low <= 0.0) {
-                return;
-            }
-            HeldOut choice = judge.held_out_choice(before, reference);
-            if (choice.removed.low <= 0.0) {
-                return;
-            }
-            std::vector<std::size_t> now = before;
-            now.push_back(*best);
-            result.fit = judge.fit(now, {});
-            result.steps.push_back({.addition = all[*best],
-                                    .held_out = judge.held_out(now),
-                                    .further = of_best,
-                                    .choice = std::move(choice)});
-            reference = of_best.changes;
-            chosen_.push_back(all[*best]);
         }
+        std::ranges::stable_sort(found, {}, &std::pair<double, AdditionSet>::first);
+        std::vector<AdditionSet> all{best};
+        std::ranges::transform(found, std::back_inserter(all), &std::pair<double, AdditionSet>::second);
+        return all;
+    }
+
+    void find_agreeing(const Judge& judge, Analysis& result, const AdditionSet& best) {
+        for (const AdditionSet& set : about_as_good(judge, result, best, pool_)) {
+            if (!fits(judge, result, judge.fit_alone(set))) {
+                continue;
+            }
+            ++result.n_agreeing;
+            if (result.agreeing.size() < most_kept) {
+                result.agreeing.push_back(described(judge, result, set));
+            }
+        }
+    }
+
+    void simulate(const Judge& judge, Analysis& result, const SetOfAdditions& set) {
+        const std::vector<double> simulated = trials_.together(set.applied(), numbers_);
+        result.after = simulated.empty() ? set.fit.changes : simulated;
+        for (std::size_t r = 0; r < result.after.size(); ++r) {
+            result.surrogate_error = std::max(
+                result.surrogate_error,
+                result.counts[r] ? std::abs(result.after[r] - set.fit.changes[r]) / numbers_.rows[r].total() : 0.0);
+        }
+        result.off_after = judge.off(result.after);
+        result.rms_after = judge.rms(result.after);
+        result.significance_after = significance_of(
+            judge.chi_squared(result.after),
+            freedom(numbers_, result.counts, judge.scores(result.after)) - static_cast<double>(set.additions.size()));
     }
 
     void conclude(const Judge& judge, Analysis& result, bool is_off) {
@@ -176,79 +237,71 @@ private:
             result.verdict = result.n_rows < enough ? Verdict::cannot_tell : Verdict::consistent;
             return;
         }
-        if (result.steps.empty()) {
+        if (!result.accepted) {
+            if (!result.agreeing.empty()) {
+                simulate(judge, result, result.agreeing.front());
+            }
             result.verdict = result.off.size() < enough || result.experiments.size() < enough ? Verdict::cannot_tell
                                                                                               : Verdict::unknown;
             return;
         }
-        const std::vector<double> simulated = trials_.together(accepted(result), numbers_);
-        result.after = simulated.empty() ? result.fit.changes : simulated;
-        for (std::size_t r = 0; r < result.after.size(); ++r) {
-            result.surrogate_error = std::max(
-                result.surrogate_error,
-                result.counts[r] ? std::abs(result.after[r] - result.fit.changes[r]) / numbers_.rows[r].total() : 0.0);
-        }
-        result.off_after = judge.off(result.after);
-        result.significance_after = significance_of(
-            judge.chi_squared(result.after),
-            freedom(numbers_, result.counts, judge.scores(result.after)) - static_cast<double>(chosen_.size()));
-        find_set(result);
+        simulate(judge, result, *result.accepted);
+        find_set(judge, result);
         const bool is_left = result.significance_after > alarm;
         result.verdict = is_left ? Verdict::partial : result.set.size() == 1 ? Verdict::named : Verdict::confounded;
     }
 
     /// All that fit the rows nearly as well as what was accepted, each member exchanged for another addition in turn.
-    void find_set(Analysis& result) {
-        std::vector<Addition> all = chosen_;
-        for (const SingleAddition& attempt : result.attempts) {
-            all.push_back(attempt.addition);
-        }
-        const Judge judge(numbers_, result.counts, all);
-        const std::size_t n = chosen_.size();
-        const double dof = std::max(1.0, static_cast<double>(result.n_rows) - static_cast<double>(n));
-        const double limit = result.fit.chi_squared + as_good * std::max(1.0, result.fit.chi_squared / dof);
-        const auto names = [&](const std::vector<std::size_t>& chosen) {
-            std::vector<std::string> found;
-            for (const std::size_t one : chosen) {
-                found.push_back(all[one].name());
-            }
-            return found;
-        };
-        const std::vector<std::size_t> before = indices_of_chosen();
-        result.set.push_back(names(before));
-        for (std::size_t k = 0; k < n; ++k) {
-            for (std::size_t a = n; a < all.size(); ++a) {
-                const bool is_known =
-                    std::ranges::any_of(before, [&](std::size_t one) { return all[one].is_same_cause(all[a]); });
-                std::vector<std::size_t> trial = before;
-                trial[k] = a;
-                if (!is_known && judge.fit(trial, {}).chi_squared <= limit) {
-                    result.set.push_back(names(trial));
-                    result.attempts[a - n].in_set = true;
-                }
+    void find_set(const Judge& judge, Analysis& result) {
+        std::vector<std::size_t> among = pool_;
+        for (std::size_t a = 0; accepted_.size() == 1 && a < alone_.size(); ++a) {
+            if (judge.matters(a) && std::ranges::find(pool_, a) == pool_.end()) {
+                among.push_back(a);
             }
         }
-        for (SingleAddition& attempt : result.attempts) {
-            attempt.in_set = attempt.in_set || std::ranges::any_of(chosen_, [&](const Addition& one) {
-                                 return one.name() == attempt.addition.name();
-                             });
+        for (const AdditionSet& set : about_as_good(judge, result, accepted_, among)) {
+            std::vector<std::string> names;
+            for (const std::size_t one : set) {
+                names.push_back(alone_[one].name());
+            }
+            for (SingleAddition& attempt : result.attempts) {
+                attempt.in_set = attempt.in_set || std::ranges::find(names, attempt.addition.name()) != names.end();
+            }
+            result.set.push_back(std::move(names));
         }
     }
 
     const Numbers& numbers_;
     const std::vector<Addition>& alone_;
+    Interactions& interactions_;
     Trials& trials_;
-    std::size_t most_steps_;
-    std::vector<Addition> chosen_{};
+    std::vector<std::size_t> pool_{};
+    AdditionSet accepted_{};
 };
 
 }  // namespace
+
+std::string SetOfAdditions::name() const {
+    std::string text;
+    for (const Addition& one : additions) {
+        text += (text.empty() ? "" : " + ") + one.name();
+    }
+    return text;
+}
+
+std::vector<Applied> SetOfAdditions::applied() const {
+    std::vector<Applied> all;
+    for (std::size_t k = 0; k < additions.size(); ++k) {
+        all.push_back({.addition = &additions[k], .value = fit.values[k]});
+    }
+    return all;
+}
 
 QuotedDiagnosis diagnose_quoted(const input::Validation& validation, Trials& trials, const QuotedRequest& request) {
     QuotedDiagnosis result{.numbers = quoted_numbers(validation, trials.table(), request.model)};
     std::vector<Addition> alone;
     for (Addition& addition : trials.additions(result.numbers)) {
-        trials.simulate(addition, result.numbers, {});
+        trials.simulate(addition, result.numbers);
         if (solver::stop_requested()) {
             result.stopped = true;
             return result;
@@ -263,7 +316,8 @@ QuotedDiagnosis diagnose_quoted(const input::Validation& validation, Trials& tri
     for (const QuotedResult& row : result.numbers.rows) {
         decidable.push_back(row.decidable);
     }
-    Analyst analyst(result.numbers, alone, trials, request.most_steps);
+    Interactions interactions(alone, result.numbers, trials);
+    Analyst analyst(result.numbers, alone, interactions, trials);
     result.decidable = analyst.analyse(decidable);
     result.all = analyst.analyse(std::vector<bool>(decidable.size(), true));
     result.next = next_measurement(result.numbers, result.decidable, result.all, trials);

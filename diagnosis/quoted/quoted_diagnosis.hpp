@@ -24,12 +24,20 @@ struct SingleAddition {
     bool in_set = false;
 };
 
-/// An addition that was accepted, beside those before it.
-struct AcceptedAddition {
-    Addition addition;
-    HeldOut held_out{};  ///< of all so far, over the base
-    HeldOut further{};   ///< the same over the step before
-    HeldOut choice{};    ///< over the step before, with the addition chosen anew for each experiment left out
+/// Additions that are made together.
+struct SetOfAdditions {
+    std::vector<Addition> additions{};
+    AdditionFit fit{};   ///< to all experiments
+    HeldOut held_out{};  ///< over the model as it is
+    HeldOut further{};   ///< over the set that was accepted before, or the model as it is
+    HeldOut choice{};    ///< the same, with the set chosen anew for each experiment left out; where it was asked for
+    double rms_fitted = 0.0;
+    bool fits = false;
+
+    /// "sidewall_convection.conductance + inner_gas.liner"
+    [[nodiscard]] std::string name() const;
+    /// With the values that fit all experiments. It refers to the additions.
+    [[nodiscard]] std::vector<Applied> applied() const;
 };
 
 /// What some of the rows say.
@@ -41,13 +49,19 @@ struct Analysis {
     double rms = 0.0;                        ///< of the model as it is, in total uncertainties
     double kelvin = 0.0;
     double chi_squared = 0.0;
-    double significance = 0.0;               ///< standard deviations by which chi squared is too large
-    std::vector<SingleAddition> attempts{};  ///< the best first
-    std::size_t without_effect = 0;          ///< additions that move no row that counts
-    std::vector<AcceptedAddition> steps{};
-    AdditionFit fit{};             ///< of all steps' numbers, to all experiments
-    std::vector<double> after{};   ///< [rows] changes with all steps, simulated together
+    double significance = 0.0;                 ///< standard deviations by which chi squared is too large
+    std::vector<SingleAddition> attempts{};    ///< the best first
+    std::size_t without_effect = 0;            ///< additions that move no row that counts
+    std::vector<SetOfAdditions> sizes{};       ///< the best on experiments left out, of 1, 2 ... additions
+    std::optional<SetOfAdditions> accepted{};  ///< the last of these that predicts better than what was accepted before
+    /// Of the fewest additions with which nothing significant is left where they are fitted: the set that costs least, then
+    /// others that fit about as well, each with one addition exchanged. Empty where no set agrees, or nothing is off.
+    std::vector<SetOfAdditions> agreeing{};
+    std::size_t n_agreeing = 0;  ///< of these, also those that are not kept
+    std::vector<double>
+        after{};  ///< [rows] changes with the accepted set, or else the best agreeing one, simulated together
     double surrogate_error = 0.0;  ///< largest difference of that from the fit's, total uncertainties
+    double rms_after = 0.0;        ///< with these changes
     double significance_after = 0.0;
     std::vector<std::size_t> off_after{};
     std::vector<std::vector<std::string>> set{};  ///< names of explanations that these rows cannot tell apart
@@ -81,7 +95,6 @@ struct QuotedDiagnosis {
 struct QuotedRequest {
     std::size_t model = 0;
     unsigned threads = 0;
-    std::size_t most_steps = 3;
     std::function<void(long)> progress{};
 };
 

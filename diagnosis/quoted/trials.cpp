@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -141,8 +142,26 @@ void Trials::read_instrument(const Applied& applied, RunResults& results) const 
     }
 }
 
+std::vector<std::size_t> Trials::runs_of(std::size_t model, const std::vector<Applied>& applied) const {
+    std::vector<std::size_t> runs = nominal_runs(model);
+    for (const Applied& one : applied) {
+        for (const input::ValidationNumber& number : validation_.numbers) {
+            for (const input::NumberInput& input : number.inputs) {
+                const bool is_it = one.addition->kind == AdditionKind::input &&
+                                   validation_.inputs[input.input].name == one.addition->id;
+                for (std::size_t end = 0; is_it && end < input.at_ends.size(); ++end) {
+                    if (input.at_ends[end][model]) {
+                        add_once(runs, input.at_ends[end][model]->runs());
+                    }
+                }
+            }
+        }
+    }
+    return runs;
+}
+
 RunResults Trials::run(const std::vector<Applied>& applied) {
-    const std::vector<std::size_t> runs = nominal_runs(model_of(applied));
+    const std::vector<std::size_t> runs = runs_of(model_of(applied), applied);
     run_as_they_are(runs);
     for (const std::size_t run : runs) {
         candidates_[run] = candidates_[run].empty() ? candidates_in(validation_.runs[run].problem) : candidates_[run];
@@ -168,62 +187,79 @@ RunResults Trials::run(const std::vector<Applied>& applied) {
         all.failures[run] = base_.failures[run];
     }
     simulate_runs(changed, places, all);
-    for (const Applied& one : applied) {
-        if (one.addition->kind == AdditionKind::instrument) {
-            read_instrument(one, all);
-        }
+    if (applied.size() == 1 && applied.front().addition->kind == AdditionKind::instrument) {
+        read_instrument(applied.front(), all);
     }
     return all;
 }
 
-std::vector<std::optional<double>> Trials::values(const RunResults& results, std::size_t model,
-                                                  const Numbers& numbers) const {
-    const std::vector<ValidationRow> table = validation_rows(validation_, results);
-    std::vector<std::optional<double>> found;
-    for (const QuotedResult& row : numbers.rows) {
-        found.push_back(table[row.number].models[model].value);
+double Trials::more_by_inputs(const std::vector<Applied>& applied, const std::vector<ValidationRow>& table,
+                              std::size_t number) const {
+    double sum = 0.0;
+    for (const Applied& one : applied) {
+        const auto known = std::ranges::find(validation_.inputs, one.addition->id, &input::ValidationInput::name);
+        if (one.addition->kind != AdditionKind::input || known == validation_.inputs.end()) {
+            continue;
+        }
+        const auto change = [&](const ValidationRow& row) -> std::optional<double> {
+            const auto effect = std::ranges::find(row.inputs, one.addition->id, &InputEffect::name);
+            if (effect == row.inputs.end() || effect->at_ends[model_].size() != 2 || !row.models[model_].value ||
+                !effect->at_ends[model_][0] || !effect->at_ends[model_][1]) {
+                return std::nullopt;
+            }
+            const double value = *row.models[model_].value;
+            const std::vector<double> at{effect->numbers[0], known->number, effect->numbers[1]};
+            const std::vector<double> there{*effect->at_ends[model_][0], value, *effect->at_ends[model_][1]};
+            return physics::Curve::table(at, there).value(one.value) - value;
+        };
+        const std::optional<double> with = change(table[number]);
+        const std::optional<double> alone = change(table_[number]);
+        sum += with && alone ? *with - *alone : 0.0;
     }
-    return found;
+    return sum;
 }
 
 std::vector<double> Trials::together(const std::vector<Applied>& applied, const Numbers& numbers) {
     const std::size_t model = model_of(applied);
-    const RunResults results = run(applied);
-    const std::vector<std::optional<double>> now = values(results, model, numbers);
+    const std::vector<ValidationRow> table = validation_rows(validation_, run(applied));
     std::vector<double> changes(numbers.rows.size(), 0.0);
     for (std::size_t r = 0; r < changes.size(); ++r) {
-        const QuotedResult& row = numbers.rows[r];
-        if (!now[r] && validation_.numbers[row.number].models[model]) {
+        const std::size_t number = numbers.rows[r].number;
+        const std::optional<double> now = table[number].models[model].value;
+        if (!now && validation_.numbers[number].models[model]) {
             return {};
         }
         // A number that the other mesh does not have stays as it is.
-        changes[r] = now[r] ? *now[r] - *table_[row.number].models[model_].value : 0.0;
-        for (const Applied& one : applied) {
-            const bool other_source =
-                one.addition->kind == AdditionKind::instrument && one.addition->what != source_word(row.number);
-            if (other_source && applied.size() == 1) {
-                changes[r] = 0.0;
-            }
+        changes[r] = now ? *now - *table_[number].models[model_].value : 0.0;
+        if (model == model_) {
+            changes[r] += more_by_inputs(applied, table, number);
+        }
+        const Applied& first = applied.front();
+        const bool other_source =
+            first.addition->kind == AdditionKind::instrument && first.addition->what != source_word(number);
+        if (applied.size() == 1 && other_source) {
+            changes[r] = 0.0;
         }
     }
     for (const Applied& one : applied) {
-        if (one.addition->kind == AdditionKind::input) {
-            const std::vector<std::vector<double>> table = one.addition->table();
+        const bool adds_up = one.addition->kind == AdditionKind::input ||
+                             (one.addition->kind == AdditionKind::instrument && applied.size() > 1);
+        if (adds_up) {
+            const std::vector<std::vector<double>> of_one = one.addition->table();
             const double share = (one.value - one.addition->low) / (one.addition->high - one.addition->low);
-            const auto at = static_cast<std::size_t>(std::lround(share * static_cast<double>(table.size() - 1)));
+            const auto at = static_cast<std::size_t>(std::lround(share * static_cast<double>(of_one.size() - 1)));
             for (std::size_t r = 0; r < changes.size(); ++r) {
-                changes[r] += table[at][r];
+                changes[r] += of_one[at][r];
             }
         }
     }
     return changes;
 }
 
-void Trials::simulate(Addition& addition, const Numbers& numbers, const std::vector<Applied>& on_top) {
+void Trials::simulate(Addition& addition, const Numbers& numbers) {
     if (addition.kind == AdditionKind::input) {
         return;
     }
-    const std::vector<double> without = together(on_top, numbers);
     addition.changes.clear();
     std::vector<double> nodes;
     for (const double node : addition.nodes) {
@@ -232,14 +268,9 @@ void Trials::simulate(Addition& addition, const Numbers& numbers, const std::vec
         }
         std::vector<double> changes(numbers.rows.size(), 0.0);
         if (node != addition.absent) {
-            std::vector<Applied> all = on_top;
-            all.push_back({.addition = &addition, .value = node});
-            const std::vector<double> now = together(all, numbers);
-            if (now.empty()) {
+            changes = together({{.addition = &addition, .value = node}}, numbers);
+            if (changes.empty()) {
                 continue;  // beyond what the solver can do: the range ends before
-            }
-            for (std::size_t r = 0; r < changes.size(); ++r) {
-                changes[r] = now[r] - without[r];
             }
         }
         nodes.push_back(node);
@@ -255,20 +286,46 @@ void Trials::simulate(Addition& addition, const Numbers& numbers, const std::vec
 
 std::vector<ChannelEnd> Trials::ends(const std::vector<Applied>& applied) {
     const RunResults results = run(applied);
+    const auto last = [&](std::size_t run, std::size_t c) {
+        const solver::Settings& settings = validation_.runs[run].problem.settings;
+        return solver::shown_unit(solver::Quantity::temperature)
+            .value(results.traces[run].read(c, {.from = settings.start, .to = settings.end}));
+    };
     std::vector<ChannelEnd> found;
     for (const std::size_t run : nominal_runs(model_of(applied))) {
         const solver::Problem& problem = validation_.runs[run].problem;
         for (std::size_t c = 0; c < problem.n_sensors() && results.failures[run].empty(); ++c) {
-            if (problem.channels[c].quantity == solver::Quantity::temperature) {
-                const double last =
-                    results.traces[run].read(c, {.from = problem.settings.start, .to = problem.settings.end});
-                found.push_back({.run = problem.name,
-                                 .channel = problem.channels[c].name,
-                                 .value = solver::shown_unit(solver::Quantity::temperature).value(last)});
+            if (problem.channels[c].quantity != solver::Quantity::temperature) {
+                continue;
             }
+            double value = last(run, c);
+            for (const Applied& one : applied) {
+                if (const std::optional<InputEnd> moved = run_at_end(one, run);
+                    moved && results.failures[moved->run].empty()) {
+                    value += moved->share * (last(moved->run, c) - last(run, c));
+                }
+            }
+            found.push_back({.run = problem.name, .channel = problem.channels[c].name, .value = value});
         }
     }
     return found;
+}
+
+std::optional<Trials::InputEnd> Trials::run_at_end(const Applied& input, std::size_t run) const {
+    const auto known = std::ranges::find(validation_.inputs, input.addition->id, &input::ValidationInput::name);
+    if (input.addition->kind != AdditionKind::input || known == validation_.inputs.end() ||
+        input.value == known->number) {
+        return std::nullopt;
+    }
+    const std::size_t end = input.value > known->number ? 1 : 0;
+    const std::string changed = fmt::format("{} = {}", known->name, known->ends[end]);
+    for (std::size_t other = 0; other < validation_.runs.size(); ++other) {
+        if (validation_.runs[other].file == validation_.runs[run].file && validation_.runs[other].changed == changed) {
+            return InputEnd{.run = other,
+                            .share = (input.value - known->number) / (known->numbers[end] - known->number)};
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace tiretherm::diagnosis::quoted

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,9 +44,9 @@ public:
 
     /// Everything that can act on the runs, not yet simulated but for the inputs.
     [[nodiscard]] std::vector<Addition> additions(const Numbers& numbers) const;
-    /// Fills in what an addition changes, on top of others.
-    void simulate(Addition& addition, const Numbers& numbers, const std::vector<Applied>& on_top);
-    /// What several additions change together, simulated; what inputs change is added.
+    /// Fills in what an addition changes by itself.
+    void simulate(Addition& addition, const Numbers& numbers);
+    /// What several additions change together, simulated; an input is simulated at the ends of its range, with the others in it.
     /// @returns [rows]; empty after a failure
     [[nodiscard]] std::vector<double> together(const std::vector<Applied>& applied, const Numbers& numbers);
     /// Temperatures at the end of each run with additions in it.
@@ -59,10 +60,20 @@ private:
     [[nodiscard]] std::size_t model_of(const std::vector<Applied>& applied) const;
     /// Switches effects on and sets numbers. @returns whether anything in the run has changed
     bool apply(const Applied& applied, std::size_t run, solver::Problem& problem) const;
+    /// Runs of a model as they are, and with these inputs at the ends of their ranges.
+    [[nodiscard]] std::vector<std::size_t> runs_of(std::size_t model, const std::vector<Applied>& applied) const;
+    /// A run with an input at an end of its range, and how far towards it the input is moved.
+    struct InputEnd {
+        std::size_t run = 0;
+        double share = 0.0;
+    };
+    /// Of the end to which it is moved; nothing where the input does not act on the run.
+    [[nodiscard]] std::optional<InputEnd> run_at_end(const Applied& input, std::size_t run) const;
+    /// What inputs change more with other additions in the runs than alone. @param table of runs with these in them
+    [[nodiscard]] double more_by_inputs(const std::vector<Applied>& applied, const std::vector<ValidationRow>& table,
+                                        std::size_t number) const;
     /// The channels of all runs of a model with additions in them.
     [[nodiscard]] RunResults run(const std::vector<Applied>& applied);
-    [[nodiscard]] std::vector<std::optional<double>> values(const RunResults& results, std::size_t model,
-                                                            const Numbers& numbers) const;
     /// @param places [chosen] where in the table's runs their results belong
     void simulate_runs(const std::vector<input::ValidationRun>& chosen, const std::vector<std::size_t>& places,
                        RunResults& into);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -37,15 +38,13 @@ constexpr const char* legend =
 /// A difference of a row; 0 within a measured range.
 Cell off_cell(const QuotedResult& row, double off) { return {off, off == 0.0 ? "0" : in_digits_of(row.unit, off)}; }
 
-std::string fitted_text(const SingleAddition& attempt) {
-    if (!attempt.addition.is_fitted()) {
+std::string fitted_text(const Addition& addition, const AdditionFit& fit, std::size_t k) {
+    if (!addition.is_fitted()) {
         return "-";
     }
-    const double half = std::max(0.5 * (attempt.fit.high[0] - attempt.fit.low[0]),
-                                 1e-3 * (attempt.addition.high - attempt.addition.low));
-    return to_its_digits(attempt.fit.values[0], half) +
-           (attempt.addition.unit == "1" ? "" : " " + slashed_unit(attempt.addition.unit)) +
-           (attempt.fit.is_bound[0] ? ", at its limit" : "");
+    const double half = std::max(0.5 * (fit.high[k] - fit.low[k]), 1e-3 * (addition.high - addition.low));
+    return to_its_digits(fit.values[k], half) + (addition.unit == "1" ? "" : " " + slashed_unit(addition.unit)) +
+           (fit.is_bound[k] ? ", at its limit" : "");
 }
 
 Value share_data(const ShareInterval& share) {
@@ -78,7 +77,7 @@ DataTable attempt_table(const Analysis& analysis, std::size_t most) {
              {"addition", "name", addition.name()},
              data_only("kind", kind_names[static_cast<std::size_t>(addition.kind)]),
              data_only("channel", where(addition.kind == AdditionKind::instrument, addition.id)),
-             page_only("fitted", right(fitted_text(attempt))),
+             page_only("fitted", right(fitted_text(addition, attempt.fit, 0))),
              data_only("parameters", parameters_data(attempt)),
              data_only("plausible", {{"low", addition.low}, {"high", addition.high}, {"source", addition.source}}),
              data_only("at_bound", static_cast<bool>(attempt.fit.is_bound[0])),
@@ -98,7 +97,45 @@ DataTable attempt_table(const Analysis& analysis, std::size_t most) {
     return table;
 }
 
-/// What is left of each row, with the additions that were accepted.
+/// "sidewall_convection.conductance 12.0 W/K"
+std::string set_text(const SetOfAdditions& set) {
+    std::string text;
+    for (std::size_t k = 0; k < set.additions.size(); ++k) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : "; ", set.additions[k].name(),
+                            fitted_text(set.additions[k], set.fit, k));
+    }
+    return text;
+}
+
+/// Sets of additions: the best on experiments left out of each size, then those that agree where they are fitted.
+DataTable set_table(const Analysis& analysis) {
+    const auto percent = [](double share) { return fmt::format("{}", std::lround(100.0 * share)); };
+    DataTable table;
+    const auto add = [&](const SetOfAdditions& set, const char* why) {
+        Value::List names;
+        for (std::size_t k = 0; k < set.additions.size(); ++k) {
+            names.push_back({{"name", set.additions[k].name()}, {"value", set.fit.values[k]}});
+        }
+        const ShareInterval& removed = set.held_out.removed;
+        table.add({{"", "chosen_by", why},
+                   page_only("additions", set_text(set)),
+                   data_only("additions", std::move(names)),
+                   page_only("removed %", right(percent(removed.value))),
+                   page_only("95 %", right(percent(removed.low) + " to " + percent(removed.high))),
+                   data_only("removed", share_data(removed)),
+                   {"fit u", "fitted_rms_u", shown("{:.1f}", set.rms_fitted)},
+                   {"agrees", "fits", {set.fits, set.fits ? "yes" : "no", false}}});
+    };
+    for (const SetOfAdditions& set : analysis.sizes) {
+        add(set, "prediction");
+    }
+    for (const SetOfAdditions& set : analysis.agreeing) {
+        add(set, "fit");
+    }
+    return table;
+}
+
+/// What is left of each row, with the additions that were accepted, or else with the best set that agrees.
 DataTable row_table(const QuotedDiagnosis& result, const Analysis& analysis) {
     DataTable table;
     for (std::size_t r = 0; r < result.numbers.rows.size(); ++r) {
@@ -164,7 +201,7 @@ ReportSection quoted_charts(const QuotedRecord& record) {
         chart.add_band("within 2 u", "", std::array{-0.5, static_cast<double>(place.size()) - 0.5},
                        std::array{-2.0, -2.0}, std::array{2.0, 2.0});
         chart.add_curve("before", "", CurveRole::points, place, before);
-        if (!all.steps.empty()) {
+        if (all.accepted || !all.agreeing.empty()) {
             chart.add_curve("after", "", CurveRole::points, place, after);
         }
         section.chart("Differences in units of their uncertainty",
@@ -183,8 +220,8 @@ Value names_data(const QuotedDiagnosis& result, const std::vector<std::size_t>& 
 }
 
 Value gain_data(const Analysis& analysis) {
-    const bool any = !analysis.steps.empty();
-    const ShareInterval removed = any ? analysis.steps.back().held_out.removed : ShareInterval{};
+    const bool any = analysis.accepted.has_value();
+    const ShareInterval removed = any ? analysis.accepted->held_out.removed : ShareInterval{};
     return {{"removable_error_removed", where(any, removed.value)},
             {"low", where(any, removed.low)},
             {"high", where(any, removed.high)},
@@ -210,13 +247,13 @@ Value ids_data(const Analysis& analysis) {
 
 Value analysis_data(const QuotedDiagnosis& result, const Analysis& analysis) {
     Value::List steps;
-    for (std::size_t k = 0; k < analysis.steps.size(); ++k) {
-        const AcceptedAddition& step = analysis.steps[k];
-        steps.push_back({{"name", step.addition.name()},
-                         {"value", where(step.addition.is_fitted(), analysis.fit.values[k])},
-                         {"removed", share_data(step.held_out.removed)},
-                         {"further", share_data(step.further.removed)},
-                         {"with_the_choice_left_out", share_data(step.choice.removed)}});
+    for (std::size_t k = 0; analysis.accepted && k < analysis.accepted->additions.size(); ++k) {
+        const SetOfAdditions& accepted = *analysis.accepted;
+        steps.push_back({{"name", accepted.additions[k].name()},
+                         {"value", where(accepted.additions[k].is_fitted(), accepted.fit.values[k])},
+                         {"removed", share_data(accepted.held_out.removed)},
+                         {"further", share_data(accepted.further.removed)},
+                         {"with_the_choice_left_out", share_data(accepted.choice.removed)}});
     }
     Value::List set;
     for (const std::vector<std::string>& one : analysis.set) {
@@ -229,10 +266,12 @@ Value analysis_data(const QuotedDiagnosis& result, const Analysis& analysis) {
             {"rms_u", analysis.rms},
             {"rms_K", analysis.kelvin},
             {"significance", analysis.significance},
-            {"significance_after", where(!analysis.steps.empty(), analysis.significance_after)},
+            {"significance_after", where(analysis.accepted.has_value(), analysis.significance_after)},
             {"causes", attempt_table(analysis, analysis.attempts.size()).data()},
             {"without_effect", analysis.without_effect},
             {"steps", std::move(steps)},
+            {"sets", set_table(analysis).data()},
+            {"sets_that_agree", analysis.n_agreeing},
             {"set", std::move(set)},
             {"gain", gain_data(analysis)},
             {"rows", row_table(result, analysis).data()}};
@@ -247,6 +286,13 @@ ReportSection attempt_section(const char* heading, const Analysis& analysis) {
     if (analysis.attempts.size() > most_shown) {
         section.say(fmt::format("{} more remove less; {} move none of these numbers. All stand in diagnosis.json.",
                                 analysis.attempts.size() - most_shown, analysis.without_effect));
+    }
+    if (const DataTable sets = set_table(analysis); !analysis.sizes.empty()) {
+        section.add(sets);
+        section.say(
+            "Sets of up to five additions. Prediction: the best of each size on experiments left out. Fit: of the "
+            "fewest "
+            "additions that agree with all of these numbers those that cost least.");
     }
     if (std::ranges::any_of(analysis.attempts, &SingleAddition::in_set)) {
         section.say("*: in the set that these numbers cannot tell apart");
@@ -315,9 +361,15 @@ std::string quoted_markdown(const QuotedRecord& record) {
     for (const std::string& sentence : quoted_sentences(record)) {
         text += sentence + "\n\n";
     }
-    return text + "Decidable numbers:\n\n" + markdown_text(attempt_table(result.decidable, most_shown)) +
-           "\nAll numbers:\n\n" + markdown_text(attempt_table(result.all, most_shown)) + "\nBefore and after:\n\n" +
-           markdown_text(row_table(result, result.all));
+    const std::array<std::pair<const char*, const Analysis*>, 2> analyses{
+        {{"Decidable numbers", &result.decidable}, {"All numbers", &result.all}}};
+    for (const auto& [heading, analysis] : analyses) {
+        text += fmt::format("{}:\n\n{}\n", heading, markdown_text(attempt_table(*analysis, most_shown)));
+        if (!analysis->sizes.empty()) {
+            text += fmt::format("{}, sets of additions:\n\n{}\n", heading, markdown_text(set_table(*analysis)));
+        }
+    }
+    return text + "Before and after:\n\n" + markdown_text(row_table(result, result.all));
 }
 
 std::vector<std::string> quoted_names() {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnosis/assess/additions.hpp"
 #include "post/quoted/quoted_report.hpp"
 #include "post/report/number_text.hpp"
 
@@ -52,12 +53,75 @@ std::string value_text(const Addition& addition, const AdditionFit& fit, std::si
                        to_its_digits(fit.high[k], half));
 }
 
-std::string additions_text(const Analysis& analysis) {
+std::string additions_text(const SetOfAdditions& set) {
     std::vector<std::string> texts;
-    for (std::size_t k = 0; k < analysis.steps.size(); ++k) {
-        texts.push_back(value_text(analysis.steps[k].addition, analysis.fit, k));
+    for (std::size_t k = 0; k < set.additions.size(); ++k) {
+        texts.push_back(value_text(set.additions[k], set.fit, k));
     }
     return fmt::format("{}", fmt::join(texts, " and "));
+}
+
+std::string removed_text(const ShareInterval& share) {
+    return fmt::format("{} of the error on experiments left out (95 %: {} to {})", percent(share.value),
+                       percent(share.low), percent(share.high));
+}
+
+/// Additions that every set has, by name.
+std::vector<std::string> in_all(const std::vector<SetOfAdditions>& sets) {
+    std::vector<std::string> common;
+    for (const Addition& one : sets.front().additions) {
+        const bool is_in_all = std::ranges::all_of(sets, [&](const SetOfAdditions& set) {
+            return std::ranges::any_of(set.additions, [&](const Addition& other) { return other.is_same_cause(one); });
+        });
+        if (is_in_all) {
+            common.push_back(one.name());
+        }
+    }
+    return common;
+}
+
+/// What sets of additions predict, and what they explain where they are fitted.
+void say_sets(std::vector<std::string>& all, const Analysis& analysis) {
+    if (analysis.sizes.size() > 1) {
+        const SetOfAdditions& best = *std::ranges::min_element(
+            analysis.sizes, {}, [](const SetOfAdditions& set) { return set.held_out.rms_after; });
+        const bool is_beyond = best.further.removed.low > 0.0;
+        all.push_back(fmt::format(
+            "Of sets of up to {}, {} predict best: they remove {}{}.", plural(most_additions, "addition"),
+            additions_text(best), removed_text(best.held_out.removed),
+            !is_beyond ? ", which is not proven"
+            : best.choice.removed.low > 0.0
+                ? ""
+                : fmt::format(
+                      "; chosen anew without each experiment it is {} (95 %: {} to {}), so the choice is not proven",
+                      percent(best.choice.removed.value), percent(best.choice.removed.low),
+                      percent(best.choice.removed.high))));
+    }
+    if (analysis.agreeing.empty()) {
+        if (!analysis.sizes.empty()) {
+            all.push_back(fmt::format("No set of up to {} within their plausible ranges agrees with these numbers.",
+                                      plural(most_additions, "addition")));
+        }
+        return;
+    }
+    const SetOfAdditions& set = analysis.agreeing.front();
+    if (set.additions.size() < 2) {
+        return;
+    }
+    const std::vector<std::string> common = in_all(analysis.agreeing);
+    all.push_back(
+        fmt::format("Fitted to all of them, {} together agree with these numbers, and no fewer do: {}. Simulated "
+                    "together they leave "
+                    "{:.1f} u. This is a fit, not evidence: on experiments left out they remove {}.",
+                    plural(set.additions.size(), "addition"), additions_text(set), analysis.rms_after,
+                    removed_text(set.held_out.removed)));
+    if (analysis.n_agreeing > 1) {
+        all.push_back(fmt::format(
+            "{} with one of them exchanged agree as well; {}.",
+            analysis.n_agreeing == 2 ? "One other set" : fmt::format("{} other sets", analysis.n_agreeing - 1),
+            common.empty() ? "no addition is in all"
+                           : fmt::format("of those shown below, all have {}", fmt::join(common, " and "))));
+    }
 }
 
 std::string set_text(const Analysis& analysis) {
@@ -132,6 +196,7 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
             all.push_back(lead);
             all.push_back(best_text(analysis));
             all.push_back(fitting_text(analysis));
+            say_sets(all, analysis);
             return;
         case Verdict::unknown:
             all.push_back(
@@ -142,40 +207,34 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
             all.push_back(lead);
             all.push_back(best_text(analysis));
             all.push_back(fitting_text(analysis));
+            say_sets(all, analysis);
             return;
         case Verdict::partial:
         case Verdict::named:
         case Verdict::confounded:
             break;
     }
-    const ShareInterval& removed = analysis.steps.back().held_out.removed;
+    const SetOfAdditions& accepted = *analysis.accepted;
+    const ShareInterval& removed = accepted.held_out.removed;
     if (analysis.verdict == Verdict::partial) {
-        const ShareInterval& first = analysis.steps.front().held_out.removed;
-        all.push_back(
-            fmt::format("The largest single improvement is {}; it removes {} of the error on experiments left out (95 "
-                        "%: {} to {}).",
-                        value_text(analysis.steps.front().addition, analysis.fit, 0), percent(first.value),
-                        percent(first.low), percent(first.high)));
+        all.push_back(fmt::format("{} {} of the error on experiments left out (95 %: {} to {}).",
+                                  additions_text(accepted), accepted.additions.size() == 1 ? "removes" : "remove",
+                                  percent(removed.value), percent(removed.low), percent(removed.high)));
         all.push_back(lead);
-        if (analysis.steps.size() > 1) {
-            all.push_back(fmt::format("Together with what helps beside it ({}) it is {} (95 %: {} to {}).",
-                                      additions_text(analysis), percent(removed.value), percent(removed.low),
-                                      percent(removed.high)));
-        }
         all.push_back(fmt::format("The other {} are none of these.", percent(1.0 - removed.value)));
     } else {
         all.push_back(fmt::format(
             "{} explains the {}: it removes {} of the error on experiments left out (95 %: {} to {}), and nothing "
             "significant is left.",
-            additions_text(analysis), which, percent(removed.value), percent(removed.low), percent(removed.high)));
+            additions_text(accepted), which, percent(removed.value), percent(removed.low), percent(removed.high)));
         all.push_back(lead);
     }
     if (analysis.set.size() > 1) {
         all.push_back("These numbers cannot tell apart: " + set_text(analysis) + ".");
     }
-    for (std::size_t k = 0; k < analysis.steps.size(); ++k) {
-        if (analysis.fit.is_bound[k]) {
-            const Addition& addition = analysis.steps[k].addition;
+    for (std::size_t k = 0; k < accepted.additions.size(); ++k) {
+        if (accepted.fit.is_bound[k]) {
+            const Addition& addition = accepted.additions[k];
             all.push_back(fmt::format("{} ends at the limit of what is plausible: it may stand in for something else.",
                                       addition.name()));
         }
