@@ -95,9 +95,17 @@ std::optional<NextMeasurement> next_measurement(const Numbers& numbers, const An
     if (rivals.size() < 2) {
         return std::nullopt;
     }
+    // Where the model is off a measurement settles most; elsewhere the explanations may all be wrong.
+    const std::vector<std::size_t>& off = decidable.off.empty() ? all.off : decidable.off;
+    std::vector<std::size_t> of;
+    for (const QuotedResult& row : numbers.rows) {
+        if (off.empty() || std::ranges::find(off, row.experiment) != off.end()) {
+            of.push_back(row.number);
+        }
+    }
     std::vector<std::vector<ChannelEnd>> ends;
     for (const Rival& rival : rivals) {
-        ends.push_back(trials.ends(rival.applied));
+        ends.push_back(trials.ends(rival.applied, of));
     }
     NextMeasurement next{.uncertainty = achievable(numbers)};
     const Rival* one = nullptr;

@@ -284,15 +284,21 @@ void Trials::simulate(Addition& addition, const Numbers& numbers) {
     addition.high = std::min(addition.high, nodes.back());
 }
 
-std::vector<ChannelEnd> Trials::ends(const std::vector<Applied>& applied) {
+std::vector<ChannelEnd> Trials::ends(const std::vector<Applied>& applied, const std::vector<std::size_t>& of) {
     const RunResults results = run(applied);
+    std::vector<std::size_t> runs;
+    for (const std::size_t number : of) {
+        if (const auto& read = validation_.numbers[number].models[model_of(applied)]) {
+            add_once(runs, read->runs());
+        }
+    }
     const auto last = [&](std::size_t run, std::size_t c) {
         const solver::Settings& settings = validation_.runs[run].problem.settings;
         return solver::shown_unit(solver::Quantity::temperature)
             .value(results.traces[run].read(c, {.from = settings.start, .to = settings.end}));
     };
     std::vector<ChannelEnd> found;
-    for (const std::size_t run : nominal_runs(model_of(applied))) {
+    for (const std::size_t run : runs) {
         const solver::Problem& problem = validation_.runs[run].problem;
         for (std::size_t c = 0; c < problem.n_sensors() && results.failures[run].empty(); ++c) {
             if (problem.channels[c].quantity != solver::Quantity::temperature) {

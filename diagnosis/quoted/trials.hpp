@@ -49,8 +49,9 @@ public:
     /// What several additions change together, simulated; an input is simulated at the ends of its range, with the others in it.
     /// @returns [rows]; empty after a failure
     [[nodiscard]] std::vector<double> together(const std::vector<Applied>& applied, const Numbers& numbers);
-    /// Temperatures at the end of each run with additions in it.
-    [[nodiscard]] std::vector<ChannelEnd> ends(const std::vector<Applied>& applied);
+    /// Temperatures at the end of the runs that some numbers are read from, with additions in them.
+    /// @param of indices into Validation::numbers
+    [[nodiscard]] std::vector<ChannelEnd> ends(const std::vector<Applied>& applied, const std::vector<std::size_t>& of);
     [[nodiscard]] long simulations() const { return simulations_; }
 
 private:

@@ -112,7 +112,7 @@ void say_sets(std::vector<std::string>& all, const Analysis& analysis) {
     all.push_back(
         fmt::format("Fitted to all of them, {} together agree with these numbers, and no fewer do: {}. Simulated "
                     "together they leave "
-                    "{:.1f} u. This is a fit, not evidence: on experiments left out they remove {}.",
+                    "{:.1f} u. This is a fit, not evidence: they remove {}.",
                     plural(set.additions.size(), "addition"), additions_text(set), analysis.rms_after,
                     removed_text(set.held_out.removed)));
     if (analysis.n_agreeing > 1) {
