@@ -44,12 +44,13 @@ std::vector<Eigen::Index> instruments_beside(const ScoreTestData& score_data, co
     return found;
 }
 
-/// Mean square of the distance of a candidate's number to where it changes nothing, were it anywhere in its plausible range.
+/// Mean square of the distance of a candidate's number to where it changes nothing: there it is likeliest, and towards the ends of its
+/// plausible range ever less likely, so that the density is a triangle.
 double mean_square_of(const Candidate& candidate) {
     const auto [low, high] = plausible_bounds(candidate);
     const double below = low - candidate.absent;
     const double above = high - candidate.absent;
-    return (below * below + below * above + above * above) / 3.0;
+    return (below * below + below * above + above * above) / 6.0;
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 namespace tiretherm::diagnosis {
 
 /// Standard deviations of a model's numbers by the candidates of sensors and inputs that are not in it, each anywhere in its plausible
-/// range (Joint Committee for Guides in Metrology, JCGM 100:2008, 4.3.7: a rectangular distribution), as far as the data leave that
-/// open:
+/// range but likeliest right (Joint Committee for Guides in Metrology, JCGM 100:2008, 4.3.9: a triangular distribution), as far as the
+/// data leave that open:
 ///     diag(G (Z'Z + diag(1 / s^2) - Z'S G)^-1 G'),  G = (S'S + Pi)^-1 S'Z,
 /// with S the slopes of the numbers and Z those of the candidates, whitened, and s^2 the mean square of a candidate's distance to where
 /// it changes nothing.

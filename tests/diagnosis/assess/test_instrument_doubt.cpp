@@ -11,7 +11,7 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-/// A load over the logged one, plausibly 0.9 to 1.1: its mean square distance from 1 is 0.01 / 3.
+/// A load over the logged one, plausibly 0.9 to 1.1, likeliest 1: its mean square distance from 1 is 2 int_0^0.1 x^2 (0.1 - x) / 0.1^2 dx = 0.01 / 6.
 Candidate load_gain() {
     Candidate candidate;
     candidate.effect = physics::find_effect("load_input_gain");
@@ -19,7 +19,7 @@ Candidate load_gain() {
     candidate.high = 10.0;
     return candidate;
 }
-const double plausible = std::sqrt(0.01 / 3.0);
+const double plausible = std::sqrt(0.01 / 6.0);
 
 /// One number, 3, whose unit moves the first of two readings by ten standard deviations of its noise, and a load that does as much as two
 /// units of the number there, and `alone` standard deviations in the second, which the number does not move.
@@ -59,11 +59,11 @@ struct TwoReadings {
 
 }  // namespace
 
-// A load that is off by x moves the number by 2 x, and the readings say nothing of x: 2 sqrt(0.01 / 3) = 0.1155. Where the second
-// reading tells x to 1 / alone, what is left open of it is 1 / sqrt(alone^2 + 300).
+// A load that is off by x moves the number by 2 x, and the readings say nothing of x: 2 sqrt(0.01 / 6) = 0.0816. Where the second
+// reading tells x to 1 / alone, what is left open of it is 1 / sqrt(alone^2 + 600).
 TEST(InstrumentDoubt, IsWhatTheDataLeaveOpenOfWhatIsPlausible) {
     EXPECT_NEAR(TwoReadings(0.0).deviation(), 2.0 * plausible, 1e-9);
-    EXPECT_NEAR(TwoReadings(1000.0).deviation(), 2.0 / std::sqrt(1e6 + 300.0), 1e-9);
+    EXPECT_NEAR(TwoReadings(1000.0).deviation(), 2.0 / std::sqrt(1e6 + 600.0), 1e-9);
 }
 
 TEST(InstrumentDoubt, IsNoneOfWhatIsInTheModelOrHeldAtABound) {
@@ -73,7 +73,7 @@ TEST(InstrumentDoubt, IsNoneOfWhatIsInTheModelOrHeldAtABound) {
     EXPECT_EQ(readings.deviation(), 0.0);
 }
 
-// Where the model is in doubt 3 +- 0.3 becomes 3 +- sqrt(0.3^2 + (1.96 x 0.1155)^2) = 3 +- 0.3758, but not below the least
+// Where the model is in doubt 3 +- 0.3 becomes 3 +- sqrt(0.3^2 + (1.96 x 0.0816)^2) = 3 +- 0.3400, but not below the least
 // that the case allows. Where nothing is in doubt, or nothing is missing, the interval stays.
 TEST(InstrumentDoubt, WidensIntervalsWhereTheModelIsInDoubt) {
     TwoReadings readings(0.0);
@@ -95,7 +95,7 @@ TEST(InstrumentDoubt, WidensIntervalsWhereTheModelIsInDoubt) {
     EXPECT_DOUBLE_EQ(found.causes.front().numbers.front().high, 3.3);  // not of the model
 }
 
-// A speed is found to be wrong beside the load, which stays as doubtful as it was: the same 3 +- 0.3758.
+// A speed is found to be wrong beside the load, which stays as doubtful as it was: the same 3 +- 0.3400.
 TEST(InstrumentDoubt, WidensIntervalsWhereAnInstrumentIsFoundToBeWrong) {
     TwoReadings readings(0.0);
     readings.state.score_data.candidates.push_back(load_gain());
