@@ -96,7 +96,7 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
         return stop_exit();
     }
     const diagnosis::quoted::QuotedDiagnosis result =
-        diagnosis::quoted::diagnose_quoted(*reading.table, trials, {.model = *model, .threads = options.threads});
+        diagnosis::quoted::diagnose_quoted(*reading.table, trials, *model);
     count.wipe();
     if (solver::stop_requested() && stopped()) {
         return stop_exit();

@@ -6,6 +6,7 @@
 
 #include "diagnosis/assess/fitted_hypothesis.hpp"
 #include "diagnosis/assess/linear_prediction.hpp"
+#include "diagnosis/detect/work_ahead.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -29,9 +30,6 @@ struct CauseGroup {
 /// @param linear as linear_beside gives it, with candidates
 [[nodiscard]] std::vector<CauseGroup> additions_to(const ScoreTestData& score_data, const FittedHypothesis& now,
                                                    const LinearPrediction& linear);
-
-/// Additions of one search at most.
-inline constexpr std::size_t most_additions = 5;
 
 /// A cause is dropped again when the model without it predicts no worse than by this share of the mean square.
 inline constexpr double superfluous = 0.01;

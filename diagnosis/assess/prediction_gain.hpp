@@ -18,8 +18,8 @@ inline constexpr double greater_part = 0.5;
 /// no noise is known. @param before, after rms  @param noise standard deviation; 0: none is known
 [[nodiscard]] std::optional<double> share_explained(double before, double after, double noise);
 
-/// Whether a number of this unit says how something changes in the course of a run.
-[[nodiscard]] inline bool is_drift(std::string_view unit) { return unit.ends_with(" h-1"); }
+/// Whether a number of this unit is a temperature's drift in the course of a run.
+[[nodiscard]] inline bool is_drift(std::string_view unit) { return unit == "K h-1"; }
 
 /// What a model gains over another on data that took no part in either fit. Every channel counts alike, whatever its size
 /// or its samples: shares are means over the channels.

@@ -7,7 +7,7 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
-constexpr long most_additions = 5;
+constexpr long most_steps = most_additions;
 constexpr long most_fitted = 5;  ///< beside timing, at each step
 constexpr long fewest_fitted = 2;
 constexpr long most_tested = 3;
@@ -44,16 +44,16 @@ public:
     [[nodiscard]] WorkAhead search(long steps) const {
         const long timing = course_.channels + 1;
         return {0, steps * ((timing + most_fitted + 1) * fit_ + (most_tested + 1) * left_out_) +
-                       2 * most_additions * (2 * fit_ + left_out_)};
+                       2 * most_steps * (2 * fit_ + left_out_)};
     }
     /// Nothing better is found.
     [[nodiscard]] WorkAhead one_step() const {
         return {(course_.channels + fewest_fitted) * fit_, (course_.channels + fewest_fitted) * fit_};
     }
-    [[nodiscard]] WorkAhead looking_back() const { return {0, 2 * most_additions * (2 * fit_ + left_out_)}; }
+    [[nodiscard]] WorkAhead looking_back() const { return {0, 2 * most_steps * (2 * fit_ + left_out_)}; }
     [[nodiscard]] WorkAhead other_meshes() const {
         const WorkAhead one = score_tests(Work::fitting_case) + WorkAhead{fit_ + left_out_, fit_ + left_out_} +
-                              one_step() + search(most_additions - 1);
+                              one_step() + search(most_steps - 1);
         return course_.richer * one;
     }
     [[nodiscard]] WorkAhead end() const { return {0, 2 * left_out_ + 10 * course_.runs}; }
@@ -82,15 +82,15 @@ WorkAhead work_ahead(const Course& course, const Activity& now) {
                 tests = tests + WorkAhead{-done, -done};
             }
             // A model without errors of its own needs neither base nor other meshes.
-            const WorkAhead rest = pieces.choice_of_base() + pieces.search(most_additions) + pieces.other_meshes();
+            const WorkAhead rest = pieces.choice_of_base() + pieces.search(most_steps) + pieces.other_meshes();
             return tests + WorkAhead{0, rest.most} + pieces.end();
         }
         case Work::left_out_data:
-            return pieces.choice_of_base() + pieces.one_step() + pieces.search(most_additions - 1) +
-                   pieces.other_meshes() + pieces.end();
+            return pieces.choice_of_base() + pieces.one_step() + pieces.search(most_steps - 1) + pieces.other_meshes() +
+                   pieces.end();
         case Work::candidate:
         case Work::prediction:
-            return pieces.search(most_additions - course.additions) + pieces.other_meshes() + pieces.end();
+            return pieces.search(most_steps - course.additions) + pieces.other_meshes() + pieces.end();
         case Work::looking_back:
             return pieces.looking_back() + pieces.other_meshes() + pieces.end();
         case Work::other_mesh:

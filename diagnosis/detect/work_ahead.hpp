@@ -2,9 +2,14 @@
 // How many simulations a diagnosis still needs: as many as it takes where nothing more is found, and where all that is allowed is.
 #pragma once
 
+#include <cstddef>
+
 #include "diagnosis/remarks/stage.hpp"
 
 namespace tiretherm::diagnosis {
+
+/// Additions of one search at most.
+inline constexpr std::size_t most_additions = 5;
 
 /// What the course of a diagnosis depends on.
 struct Course {

@@ -26,13 +26,15 @@ struct Rival {
 /// best alone.
 std::vector<Rival> rivals_of(const Analysis& analysis) {
     std::vector<Rival> found;
-    const bool any_set = std::ranges::count_if(analysis.attempts, &SingleAddition::in_set) > 1;
+    // The members of a set that was accepted are one explanation.
+    const bool is_one = !analysis.accepted || analysis.accepted->additions.size() == 1;
+    const bool any_set = is_one && std::ranges::count_if(analysis.attempts, &SingleAddition::in_set) > 1;
     for (const SetOfAdditions& set : analysis.agreeing) {
         if (!any_set && found.size() < most_rivals) {
             found.push_back({.name = set.name(), .applied = set.applied(), .changes = &set.fit.changes});
         }
     }
-    if (found.size() > 1) {
+    if (found.size() > 1 || !is_one) {
         return found;
     }
     found.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Greedy choice of additions by the error on experiments left out, the set that cannot be told apart, and the verdict.
+// Sets of additions by the error on experiments left out, those that cannot be told apart, and the verdict.
 
 #include "diagnosis/quoted/quoted_diagnosis.hpp"
 
@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "diagnosis/assess/additions.hpp"
+#include "diagnosis/detect/work_ahead.hpp"
 #include "diagnosis/quoted/next_measurement.hpp"
 #include "diagnosis/quoted/set_search.hpp"
 #include "solver/stop_signal.hpp"
@@ -176,7 +176,8 @@ private:
         return best_sets(blind).back();
     }
 
-    /// Sets with one addition exchanged, or the set itself, that cost little more than it. @returns cheapest first
+    /// Sets with one addition exchanged, or the set itself, that cost little more than it. @returns the set itself first, then
+    /// by chi squared
     [[nodiscard]] std::vector<AdditionSet> about_as_good(const Judge& judge, const Analysis& result,
                                                          const AdditionSet& best,
                                                          const std::vector<std::size_t>& among) const {
@@ -297,8 +298,8 @@ std::vector<Applied> SetOfAdditions::applied() const {
     return all;
 }
 
-QuotedDiagnosis diagnose_quoted(const input::Validation& validation, Trials& trials, const QuotedRequest& request) {
-    QuotedDiagnosis result{.numbers = quoted_numbers(validation, trials.table(), request.model)};
+QuotedDiagnosis diagnose_quoted(const input::Validation& validation, Trials& trials, std::size_t model) {
+    QuotedDiagnosis result{.numbers = quoted_numbers(validation, trials.table(), model)};
     std::vector<Addition> alone;
     for (Addition& addition : trials.additions(result.numbers)) {
         trials.simulate(addition, result.numbers);

@@ -3,7 +3,6 @@
 // fitting them, what they leave, and which measurement would tell them apart.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -92,14 +91,7 @@ struct QuotedDiagnosis {
     bool stopped = false;
 };
 
-struct QuotedRequest {
-    std::size_t model = 0;
-    unsigned threads = 0;
-    std::function<void(long)> progress{};
-};
-
 /// @param trials of the same validation and model
-[[nodiscard]] QuotedDiagnosis diagnose_quoted(const input::Validation& validation, Trials& trials,
-                                              const QuotedRequest& request);
+[[nodiscard]] QuotedDiagnosis diagnose_quoted(const input::Validation& validation, Trials& trials, std::size_t model);
 
 }  // namespace tiretherm::diagnosis::quoted

@@ -90,6 +90,9 @@ std::vector<AdditionSet> best_sets(const SetSearch& search) {
                 best.back() = std::move(fewer);
             }
         }
+        if (search.is_enough && search.is_enough(best.back())) {
+            break;
+        }
         best.push_back(std::move(*next));
     }
     return best;

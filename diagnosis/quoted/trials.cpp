@@ -285,7 +285,12 @@ void Trials::simulate(Addition& addition, const Numbers& numbers) {
 }
 
 std::vector<ChannelEnd> Trials::ends(const std::vector<Applied>& applied, const std::vector<std::size_t>& of) {
-    const RunResults results = run(applied);
+    RunResults results = run(applied);
+    for (const Applied& one : applied) {
+        if (applied.size() > 1 && one.addition->kind == AdditionKind::instrument) {
+            read_instrument(one, results);
+        }
+    }
     std::vector<std::size_t> runs;
     for (const std::size_t number : of) {
         if (const auto& read = validation_.numbers[number].models[model_of(applied)]) {

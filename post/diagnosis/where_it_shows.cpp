@@ -107,8 +107,9 @@ std::string hardly_explained(const DiagnosisRecord& record) {
     std::vector<std::string> names;
     for (std::size_t c = 0; c < std::min(record.result.channels.size(), record.observations.stated.size()); ++c) {
         const ChannelGain& channel = record.result.channels[c];
-        const std::optional<double> share =
-            share_explained(channel.heldout_before, channel.heldout_after, record.observations.stated[c]);
+        const double stated = record.observations.stated[c];
+        const double noise = stated > 0.0 ? std::min(stated, channel.rmse_after) : channel.rmse_after;
+        const std::optional<double> share = share_explained(channel.heldout_before, channel.heldout_after, noise);
         if (share && *share < greater_part) {
             names.push_back(record.experiment.runs.front().problem.channels[channel.channel].name);
         }

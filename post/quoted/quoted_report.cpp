@@ -62,9 +62,10 @@ Value parameters_data(const SingleAddition& attempt) {
     return parameters;
 }
 
+std::string share_cell(double share) { return fmt::format("{}", std::lround(100.0 * share)); }
+
 /// What each addition removes, the best first. @param most additions
 DataTable attempt_table(const Analysis& analysis, std::size_t most) {
-    const auto percent = [](double share) { return fmt::format("{}", std::lround(100.0 * share)); };
     DataTable table;
     for (std::size_t i = 0; i < std::min(most, analysis.attempts.size()); ++i) {
         const SingleAddition& attempt = analysis.attempts[i];
@@ -81,8 +82,8 @@ DataTable attempt_table(const Analysis& analysis, std::size_t most) {
              data_only("parameters", parameters_data(attempt)),
              data_only("plausible", {{"low", addition.low}, {"high", addition.high}, {"source", addition.source}}),
              data_only("at_bound", static_cast<bool>(attempt.fit.is_bound[0])),
-             page_only("removed %", right(percent(removed.value))),
-             page_only("95 %", right(percent(removed.low) + " to " + percent(removed.high))),
+             page_only("removed %", right(share_cell(removed.value))),
+             page_only("95 %", right(share_cell(removed.low) + " to " + share_cell(removed.high))),
              data_only("removed", share_data(removed)),
              data_only("heldout_rms_u", attempt.held_out.rms_after),
              {"left K", "heldout_rms_K", shown("{:.1f}", attempt.held_out.kelvin_after)},
@@ -109,7 +110,6 @@ std::string set_text(const SetOfAdditions& set) {
 
 /// Sets of additions: the best on experiments left out of each size, then those that agree where they are fitted.
 DataTable set_table(const Analysis& analysis) {
-    const auto percent = [](double share) { return fmt::format("{}", std::lround(100.0 * share)); };
     DataTable table;
     const auto add = [&](const SetOfAdditions& set, const char* why) {
         Value::List names;
@@ -120,8 +120,8 @@ DataTable set_table(const Analysis& analysis) {
         table.add({{"", "chosen_by", why},
                    page_only("additions", set_text(set)),
                    data_only("additions", std::move(names)),
-                   page_only("removed %", right(percent(removed.value))),
-                   page_only("95 %", right(percent(removed.low) + " to " + percent(removed.high))),
+                   page_only("removed %", right(share_cell(removed.value))),
+                   page_only("95 %", right(share_cell(removed.low) + " to " + share_cell(removed.high))),
                    data_only("removed", share_data(removed)),
                    {"fit u", "fitted_rms_u", shown("{:.1f}", set.rms_fitted)},
                    {"agrees", "fits", {set.fits, set.fits ? "yes" : "no", false}}});

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis/assess/additions.hpp"
+#include "diagnosis/detect/work_ahead.hpp"
 #include "post/quoted/quoted_report.hpp"
 #include "post/report/number_text.hpp"
 
@@ -81,7 +81,7 @@ std::vector<std::string> in_all(const std::vector<SetOfAdditions>& sets) {
 }
 
 /// What sets of additions predict, and what they explain where they are fitted.
-void say_sets(std::vector<std::string>& all, const Analysis& analysis) {
+void say_sets(std::vector<std::string>& all, const QuotedRecord& record, const Analysis& analysis) {
     if (analysis.sizes.size() > 1) {
         const SetOfAdditions& best = *std::ranges::min_element(
             analysis.sizes, {}, [](const SetOfAdditions& set) { return set.held_out.rms_after; });
@@ -99,8 +99,9 @@ void say_sets(std::vector<std::string>& all, const Analysis& analysis) {
     }
     if (analysis.agreeing.empty()) {
         if (!analysis.sizes.empty()) {
-            all.push_back(fmt::format("No set of up to {} within their plausible ranges agrees with these numbers.",
-                                      plural(most_additions, "addition")));
+            all.push_back(fmt::format(
+                "No set of up to {} within their plausible ranges was found that agrees with these numbers.",
+                plural(most_additions, "addition")));
         }
         return;
     }
@@ -110,10 +111,13 @@ void say_sets(std::vector<std::string>& all, const Analysis& analysis) {
     }
     const std::vector<std::string> common = in_all(analysis.agreeing);
     all.push_back(
-        fmt::format("Fitted to all of them, {} together agree with these numbers, and no fewer do: {}. Simulated "
-                    "together they leave "
-                    "{:.1f} u. This is a fit, not evidence: they remove {}.",
+        fmt::format("Fitted to all of them, {} together agree with these numbers, and no fewer were found that do: {}. "
+                    "Simulated together they leave {:.1f} u{}. This is a fit, not evidence: they remove {}.",
                     plural(set.additions.size(), "addition"), additions_text(set), analysis.rms_after,
+                    analysis.off_after.empty()
+                        ? ""
+                        : ", and " + experiments(record, analysis.off_after) +
+                              (analysis.off_after.size() == 1 ? " stays" : " stay") + " off by more than 2 u",
                     removed_text(set.held_out.removed)));
     if (analysis.n_agreeing > 1) {
         all.push_back(fmt::format(
@@ -196,7 +200,7 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
             all.push_back(lead);
             all.push_back(best_text(analysis));
             all.push_back(fitting_text(analysis));
-            say_sets(all, analysis);
+            say_sets(all, record, analysis);
             return;
         case Verdict::unknown:
             all.push_back(
@@ -207,7 +211,7 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
             all.push_back(lead);
             all.push_back(best_text(analysis));
             all.push_back(fitting_text(analysis));
-            say_sets(all, analysis);
+            say_sets(all, record, analysis);
             return;
         case Verdict::partial:
         case Verdict::named:
@@ -224,9 +228,10 @@ void say(std::vector<std::string>& all, const QuotedRecord& record, const Analys
         all.push_back(fmt::format("The other {} are none of these.", percent(1.0 - removed.value)));
     } else {
         all.push_back(fmt::format(
-            "{} explains the {}: it removes {} of the error on experiments left out (95 %: {} to {}), and nothing "
+            "{} {} the {}: {} of the error on experiments left out is removed (95 %: {} to {}), and nothing "
             "significant is left.",
-            additions_text(accepted), which, percent(removed.value), percent(removed.low), percent(removed.high)));
+            additions_text(accepted), accepted.additions.size() == 1 ? "explains" : "explain", which,
+            percent(removed.value), percent(removed.low), percent(removed.high)));
         all.push_back(lead);
     }
     if (analysis.set.size() > 1) {

@@ -83,7 +83,7 @@ public:
         const input::ValidationReading reading = input::read_validation(file_);
         EXPECT_TRUE(reading.table.has_value());
         Trials trials(*reading.table, 0, 2, {});
-        return diagnose_quoted(*reading.table, trials, {.model = 0, .threads = 2});
+        return diagnose_quoted(*reading.table, trials, 0);
     }
 
 private:

@@ -147,8 +147,7 @@ TEST(QuotedDiagnosis, TwoHiddenCausesAreASetOfTwo) {
 }
 
 // A lump that loses heat through two paths, G1 and G2, beside its own G, rises by P/(G + G1 + G2): less is taken by both than the
-// sum of what each takes, for the second finds a colder lump. So the interaction warms the bulk in every test, and at the values at
-// which it was simulated a fit of both is what a simulation of both gives.
+// sum of what each takes, for the second finds a colder lump. So the interaction warms the bulk in every test.
 TEST(QuotedDiagnosis, TwoPathsTakeLessTogetherThanTheSumOfEach) {
     const MadeUpTable table([](solver::Problem&) {}, 3);
     const input::ValidationReading reading = input::read_validation(table.file());
@@ -168,6 +167,8 @@ TEST(QuotedDiagnosis, TwoPathsTakeLessTogetherThanTheSumOfEach) {
     const std::vector<double> both = trials.together({at(0), at(1)}, numbers);
     const std::vector<double> one = trials.together({at(0)}, numbers);
     const std::vector<double> other = trials.together({at(1)}, numbers);
+    ASSERT_EQ(more.size(), numbers.rows.size());
+    ASSERT_EQ(both.size(), more.size());
     for (std::size_t r = 0; r < more.size(); ++r) {
         EXPECT_NEAR(more[r], both[r] - one[r] - other[r], 1e-9);
         if (numbers.rows[r].what == "bulk_temperature") {

@@ -61,6 +61,8 @@ TEST(SetSearch, DropsWhatLaterOnesMakeSuperfluous) {
     ASSERT_EQ(best.size(), 4U);
     EXPECT_EQ(sorted(best[2]), (AdditionSet{3, 4}));
     EXPECT_EQ(sorted(best[3]), (AdditionSet{0, 3, 4}));
+    search.is_enough = [](const AdditionSet& set) { return sorted(set) == AdditionSet{3, 4}; };
+    EXPECT_EQ(best_sets(search).size(), 3U);  // then no third is asked for
 }
 
 TEST(SetSearch, EndsWhereASetIsEnoughOrCausesDoNotGoTogether) {
