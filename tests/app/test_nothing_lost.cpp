@@ -224,7 +224,7 @@ TEST(Stopped, JsonSaysItInItsObject) {
     EXPECT_EQ(stopped.err(), "");
 }
 
-// Commands that are quick, or have not begun with their runs, are hit at some moment of a sweep.
+// Commands that are quick, or have not begun with their runs, are hit between a signal that was too early and one that was too late.
 TEST(Stopped, NewValidateAndAStudyBeforeItsRunsEndWithASentence) {
     const sample::Scratch scratch;
     post::replace_file(scratch / "study.toml", "case = \"" + two_node +
@@ -240,18 +240,25 @@ TEST(Stopped, NewValidateAndAStudyBeforeItsRunsEndWithASentence) {
           Stopped{"study study.toml --out o", "tiretherm: stopped; nothing was run\n"}}) {
         SCOPED_TRACE(stopped.command);
         bool heard = false;
-        for (int i = 0; i < 400 && !heard; ++i) {
+        double early = 0.0;  // ms: a signal by then was too early for the sentence, at `late` too late
+        double late = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < 100 && !heard; ++i) {
             fs::remove_all(scratch / "o");
+            const double wait = std::isfinite(late) ? 0.5 * (early + late) : std::max(1.0, 2.0 * early);
             Spawned call(stopped.command, scratch.path());
-            // Within the tenth of a second that they take, then within the second of a slower program.
-            std::this_thread::sleep_for(std::chrono::milliseconds(1 + (i < 200 ? i % 100 : 10 * (i % 100))));
+            std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(wait));
             call.send(SIGTERM);
             const int end = call.end();
-            ASSERT_TRUE(end == 130 || end == 0 || end == -SIGTERM) << end;  // heard, too late, or too early
+            ASSERT_TRUE(end == 130 || end == 0 || end == -SIGTERM) << end;
             if (end == 130) {
                 heard = call.err() == stopped.sentence;
                 EXPECT_TRUE(has(call.err(), "tiretherm: stopped")) << call.err();
                 EXPECT_FALSE(heard && fs::exists(scratch / "o")) << "something was written";
+            }
+            (end == 0 ? late : early) = wait;
+            if (late - early < 0.5) {  // no run is as fast as another
+                early *= 0.7;
+                late *= 1.3;
             }
         }
         EXPECT_TRUE(heard);
