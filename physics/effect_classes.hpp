@@ -143,8 +143,9 @@ struct SensorModel {
 
     /// The sensor's output from the value before.
     double (*read)(const ActiveEffect& active, std::size_t position, double value, const Inputs& logged) = nullptr;
-    double (*lag)(const ActiveEffect& active, std::size_t position) = nullptr;           ///< time constant, s
-    double (*delay)(const ActiveEffect& active, std::size_t position) = nullptr;         ///< s
+    double (*lag)(const ActiveEffect& active, std::size_t position) = nullptr;         ///< time constant, s
+    double (*delay)(const ActiveEffect& active, std::size_t position) = nullptr;       ///< s
+    double (*clock_rate)(const ActiveEffect& active, std::size_t position) = nullptr;  ///< further delay, s for each s
     double (*depth_offset)(const ActiveEffect& active, std::size_t position) = nullptr;  ///< m below the stated depth
 };
 

@@ -12,10 +12,16 @@ namespace tiretherm::diagnosis {
 
 namespace {
 
+/// A clock that is wrong by a little in each second is rare beside one that is late: it is tried alone.
+bool is_clock_rate(const Candidate& candidate) {
+    const physics::SensorModel* sensor = candidate.effect->sensor_model();
+    return sensor != nullptr && sensor->clock_rate != nullptr;
+}
+
 bool is_timing(const Candidate& candidate) {
     const physics::SensorModel* sensor = candidate.effect->sensor_model();
     const physics::InputCorrection* input = candidate.effect->input_correction();
-    return (sensor != nullptr && (sensor->lag != nullptr || sensor->delay != nullptr)) ||
+    return (sensor != nullptr && (sensor->lag != nullptr || sensor->delay != nullptr)) || is_clock_rate(candidate) ||
            (input != nullptr && input->delay != nullptr);
 }
 
@@ -41,6 +47,7 @@ std::vector<CauseGroup> groups_of(const ScoreTestData& score_data, const FittedH
         const auto joins = [&](const CauseGroup& one) {
             const Candidate& first = score_data.candidates[one.candidates.front()];
             return one.is_timing == timing && first.channels == candidate.channels &&
+                   is_clock_rate(first) == is_clock_rate(candidate) &&
                    std::ranges::all_of(one.candidates, [&](std::size_t other) {
                        return can_stand_beside(candidate, score_data.candidates[other]);
                    });

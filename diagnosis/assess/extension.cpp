@@ -94,11 +94,12 @@ FittedHypothesis extended(ScoreTestData& score_data, const FittedHypothesis& fro
                           const Covariance& noise) {
     std::vector<std::size_t> causes = from.candidates;
     Values values = values_of(score_data, from);
+    const std::vector<double> from_absent = with_timing_shared(score_data, added, amplitudes);
     for (std::size_t i = 0; i < added.size(); ++i) {
         const Candidate& candidate = score_data.candidates[added[i]];
         const auto [low, high] = plausible_bounds(candidate);
         causes.push_back(added[i]);
-        values.cause.push_back(std::clamp(candidate.absent + amplitudes[i], low, high));
+        values.cause.push_back(std::clamp(candidate.absent + from_absent[i], low, high));
         std::vector<double>& held = values.held.emplace_back();
         for (const Candidate::Held& number : candidate.held) {
             held.push_back(number.value);

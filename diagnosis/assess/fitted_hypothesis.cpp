@@ -158,6 +158,22 @@ Eigen::Index FittedHypothesis::number_of(std::size_t i) const {
     return fit.values.size() - n_held - n + static_cast<Eigen::Index>(i);
 }
 
+std::vector<double> with_timing_shared(const ScoreTestData& score_data, const std::vector<std::size_t>& candidates,
+                                       std::vector<double> amplitudes) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& slow = score_data.candidates[candidates[i]];
+        const physics::SensorModel* lags = slow.effect->sensor_model();
+        for (std::size_t j = 0; lags != nullptr && lags->lag != nullptr && j < candidates.size(); ++j) {
+            const Candidate& late = score_data.candidates[candidates[j]];
+            const physics::SensorModel* delays = late.effect->sensor_model();
+            if (delays != nullptr && delays->delay != nullptr && slow.channels == late.channels) {
+                amplitudes[i] = amplitudes[j] = 0.5 * (amplitudes[i] + amplitudes[j]);
+            }
+        }
+    }
+    return amplitudes;
+}
+
 FittedHypothesis unfitted(const ScoreTestData& score_data, const std::vector<std::size_t>& candidates) {
     FittedHypothesis one;
     one.candidates = candidates;
@@ -183,9 +199,10 @@ FittedHypothesis fit_hypothesis(ScoreTestData& score_data, const std::vector<std
     for (const std::size_t k : candidates) {
         on.push_back(score_data.candidates[k]);
     }
+    const std::vector<double> from_absent = with_timing_shared(score_data, candidates, amplitudes);
     Eigen::VectorXd from(static_cast<Eigen::Index>(on.size()));
     for (std::size_t i = 0; i < on.size(); ++i) {
-        from[static_cast<Eigen::Index>(i)] = start(on[i], amplitudes[i]);
+        from[static_cast<Eigen::Index>(i)] = start(on[i], from_absent[i]);
     }
     fit_model(score_data, from, one);
     for (std::size_t i = 0; one.sound && i < on.size(); ++i) {

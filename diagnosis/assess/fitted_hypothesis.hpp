@@ -30,6 +30,12 @@ struct FittedHypothesis {
     [[nodiscard]] Eigen::Index number_of(std::size_t i) const;
 };
 
+/// Where the numbers of causes start, from where they are absent. A lag and a delay of one sensor have the same signature there, and a fit
+/// that starts with one of them alone finds no slope to the other: each takes half of both.
+/// @param amplitudes [n_candidates] by the linearised model  @returns [n_candidates]
+[[nodiscard]] std::vector<double> with_timing_shared(const ScoreTestData& score_data,
+                                                     const std::vector<std::size_t>& candidates,
+                                                     std::vector<double> amplitudes);
 /// Causes switched on, their numbers free, not fitted yet.
 [[nodiscard]] FittedHypothesis unfitted(const ScoreTestData& score_data, const std::vector<std::size_t>& candidates);
 /// Switches causes on and fits. @param amplitudes where their numbers start

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/fit/block_deviations.hpp"
@@ -88,20 +89,16 @@ std::vector<const Refit*> other_fits(const DiagnosisState& state, bool error) {
 /// Student's t is 12.7: their halves leave three.
 std::vector<Eigen::VectorXd> values_without_halves(const Refit& fit, const Observations& observations) {
     const LinearisedModel linear = linearise(fit, observations);
+    const std::vector<std::size_t> half_of = blocks_of_rows(observations, std::numeric_limits<double>::infinity(), 2);
     std::vector<Eigen::VectorXd> values;
-    for (std::size_t recording = 0; recording < observations.n_recordings(); ++recording) {
-        const auto [from, to] = observations.span_of(recording);
-        for (const bool second : {false, true}) {
-            RowIndices rest;
-            for (std::size_t row = 0; row < observations.rows.size(); ++row) {
-                const Observations::Row& what = observations.rows[row];
-                const bool is_late = observations.times[what.run][what.time] > 0.5 * (from + to);
-                if (observations.recordings[what.run] != recording || is_late != second) {
-                    rest.push_back(static_cast<Eigen::Index>(row));
-                }
+    for (std::size_t half = 0; half < 2 * observations.n_recordings(); ++half) {
+        RowIndices rest;
+        for (std::size_t row = 0; row < half_of.size(); ++row) {
+            if (half_of[row] != half) {
+                rest.push_back(static_cast<Eigen::Index>(row));
             }
-            values.push_back(fit.values + solve(linear, rest).cwiseProduct(fit.scale));
         }
+        values.push_back(fit.values + solve(linear, rest).cwiseProduct(fit.scale));
     }
     return values;
 }

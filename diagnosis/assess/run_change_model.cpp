@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -116,6 +117,19 @@ Cause cause_of(const RunChange& change, const input::Experiment& original) {
         take(*problem.effects[number.effect].effect, number.parameter);
     }
     return cause;
+}
+
+/// Whether two runs at least share each number that changes: else no run has predicted the value that the next one has.
+bool is_shared_by_two_runs(const DiagnosisState& state) {
+    return std::ranges::all_of(state.run_changes, [&](const RunChange& change) {
+        std::set<std::size_t> odd;
+        for (const RunChange& other : state.run_changes) {
+            if (other.name(*state.unchanged) == change.name(*state.unchanged)) {
+                odd.insert(other.runs.begin(), other.runs.end());
+            }
+        }
+        return odd.size() + 2 <= state.unchanged->runs.size();
+    });
 }
 
 /// A change as the causes of its runs, and its remark.
@@ -314,8 +328,7 @@ void report_run_changes(const DiagnosisState& state, Diagnosis& into) {
     if (!state.score_data.observations->channels.empty()) {
         add_gain(state, n, is_alone, into);
     }
-    // Which value the next run has of a trend was predicted of none.
-    into.gain.confirmed = into.gain.confirmed && std::ranges::none_of(state.run_changes, &RunChange::is_trend);
+    into.gain.confirmed = into.gain.confirmed && is_shared_by_two_runs(state);
 }
 
 }  // namespace tiretherm::diagnosis

@@ -31,7 +31,7 @@ struct BlockDeviations {
                                       int fewest = 8);
 
 /// The block of time that each row is in, counted over all recordings: each is divided into whole blocks of about this length.
-/// @param seconds > 0  @param fewest blocks of a recording  @returns [n_rows]
+/// @param seconds > 0, also infinite  @param fewest blocks of a recording  @returns [n_rows]
 [[nodiscard]] std::vector<std::size_t> blocks_of_rows(const Observations& observations, double seconds,
                                                       long fewest = 1);
 

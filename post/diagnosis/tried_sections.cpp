@@ -25,8 +25,9 @@ namespace {
 constexpr std::size_t most_tried = 3;
 constexpr std::size_t most_effects = 10;
 /// Effects of which a limit is asked for first: timing, sensors, air film, loss, road.
-constexpr std::array<std::string_view, 14> asked_first{"sensor_lag",
+constexpr std::array<std::string_view, 15> asked_first{"sensor_lag",
                                                        "clock_delay",
+                                                       "clock_rate",
                                                        "input_delay",
                                                        "sensor_offset",
                                                        "sensor_gain",

@@ -57,7 +57,7 @@ AdjointRecord::AdjointRecord(const Problem& problem, std::span<const double> tim
             const physics::Inputs logged = problem_.input_signals.at(times[next], JumpSide::before);
             for (std::size_t c = 0; c < channels; ++c) {
                 // A delayed clock shows a moment that may lie in an earlier step.
-                const double when = times[next] - sensor_outputs.delay(c);
+                const double when = sensor_outputs.moment(c, times[next]);
                 std::size_t step = steps_.size() - 1;
                 while (step > 0 && when < steps_[step].stages.front().time) {
                     --step;

@@ -64,6 +64,7 @@ SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
             const auto position = static_cast<std::size_t>(found - active.channels.begin());
             depth_offset += model->depth_offset != nullptr ? model->depth_offset(active, position) : 0.0;
             chain.delay += model->delay != nullptr ? model->delay(active, position) : 0.0;
+            chain.rate += model->clock_rate != nullptr ? model->clock_rate(active, position) : 0.0;
             chain.lag += model->lag != nullptr ? model->lag(active, position) : 0.0;
             if (model->read != nullptr) {
                 (model->before_lag ? chain.before : chain.after).push_back({&active, position, model->read});
@@ -144,9 +145,9 @@ void SensorOutputs::take_step(std::span<const StepMoment> stages, std::span<cons
         }
         const Parabola p = through({u.data(), n}, {v.data(), n});
         // Only as much of the past is kept as the delay looks back.
-        const double oldest = begin - std::max(0.0, chain.delay);
+        const double oldest = std::min(begin, chain.moment(begin));
         std::erase_if(chain.past, [&](const Piece& piece) { return piece.end < oldest; });
-        if (chain.delay <= 0.0) {
+        if (chain.moment(begin) >= begin && chain.moment(end) >= end) {
             chain.past.clear();
         }
         chain.past.push_back({.begin = begin, .end = end, .a = p.a, .b = p.b, .c = p.c, .lagged = lagged});
@@ -173,7 +174,7 @@ double SensorOutputs::ahead(const Chain& chain, const Piece& piece, double t) {
 
 /// Lag and delay commute: a delayed reading is the lagged one of an earlier time.
 double SensorOutputs::delayed(const Chain& chain, double t) {
-    const double when = t - chain.delay;
+    const double when = chain.moment(t);
     const Piece& now = chain.past.back();
     if (when > now.end) {  // a clock that runs ahead
         return ahead(chain, now, when);

@@ -39,7 +39,8 @@ public:
                             std::span<const physics::Inputs> inputs, double t) const;
     /// Slope of what a channel shows with what it follows; of a force that follows the surface as well, at a given surface. @param t s, @param logged inputs of that moment
     [[nodiscard]] double slope(std::size_t channel, double t, const physics::Inputs& logged) const;
-    [[nodiscard]] double delay(std::size_t channel) const { return chains_[channel].delay; }  ///< s
+    /// The moment that a channel shows at t, by its clock. s
+    [[nodiscard]] double moment(std::size_t channel, double t) const { return chains_[channel].moment(t); }
     [[nodiscard]] const mesh::Functional& place(std::size_t channel) const { return chains_[channel].where; }
 
     void visit(Archive& archive);
@@ -70,7 +71,10 @@ private:
         std::vector<AppliedModel> after;
         double lag = 0.0;         ///< s
         double delay = 0.0;       ///< s
+        double rate = 0.0;        ///< of the clock, s for each s
         std::vector<Piece> past;  ///< as far back as the delay looks
+
+        [[nodiscard]] double moment(double t) const { return t - delay - rate * t; }
     };
 
     [[nodiscard]] double followed_quantity(std::size_t channel, std::span<const double> T,

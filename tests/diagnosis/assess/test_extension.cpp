@@ -52,6 +52,40 @@ TEST(ExtendedModel, APartAtTheEndOfItsRangeIsLeftOutAndTheRestStays) {
     EXPECT_NEAR(found.fit.values[found.number_of(0)], 12.0, 2.0);
 }
 
+// A sensor that is both slow and late. The linearised model cannot tell lag from delay and may give all to the delay, where the fit would
+// stay: at no lag the slope with the lag is the slope with the delay.
+TEST(ExtendedModel, ALagIsFoundBesideADelayThatTookAll) {
+    const input::Written written;
+    const input::Experiment truth = read_bench(written.add(
+        "truth.toml", practice_text() +
+                          "\n[effects.sensor_lag]\nchannels = [\"surface_temperature\"]\ntau = \"6 s\"\n"
+                          "\n[effects.clock_delay]\nchannels = [\"surface_temperature\"]\ndelay = \"2 s\"\n"));
+    const input::Experiment experiment = practice_bench();
+    Observations observations = observe(experiment);
+    Simulator simulator(truth, observations);
+    observations.measured = simulator.at(simulator.start()).simulated;
+    const auto candidates = candidates_of(experiment, {"sensor_lag", "clock_delay"});
+    ScoreTestData score_data = prepare_score_tests(experiment, observations, candidates, {});
+    ASSERT_TRUE(score_data.status.ok()) << score_data.status.message;
+    std::vector<std::size_t> both;
+    for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
+        if (sensors_of(score_data.candidates[k], experiment.runs.front().problem) == "surface_temperature") {
+            both.push_back(k);
+        }
+    }
+    ASSERT_EQ(both.size(), 2U);
+    const bool lag_first = score_data.candidates[both.front()].effect->id == "sensor_lag";
+    FittedHypothesis base;
+    base.model = experiment;
+    base.fit = score_data.base;
+    base.sound = true;
+    const FittedHypothesis found =
+        extended(score_data, base, both, lag_first ? std::vector{0.0, 3.0} : std::vector{3.0, 0.0}, score_data.noise);
+    ASSERT_EQ(found.candidates.size(), 2U);
+    EXPECT_NEAR(found.fit.values[found.number_of(lag_first ? 0 : 1)], 6.0, 0.1);
+    EXPECT_NEAR(found.fit.values[found.number_of(lag_first ? 1 : 0)], 2.0, 0.1);
+}
+
 /// The first runs of the bench, the probe of each drifting by 6 K in an hour.
 input::Experiment drifting_probe(std::size_t runs) {
     std::vector<Log> logs = practice_logs();

@@ -42,6 +42,11 @@ Diagnosis with_one_cause(double low, double high) {
     return found;
 }
 
+solver::FreeParameter free_number(const char* name) {
+    return {
+        .name = name, .unit = "1", .layers = {}, .knots = {}, .nodes = {}, .runs = {}, .low = -100.0, .high = 100.0};
+}
+
 /// Two numbers, each known to 0.5 by one reading.
 FittedHypothesis hypothesis_at(const input::Experiment& experiment, double first, double second) {
     FittedHypothesis one;
@@ -81,14 +86,7 @@ TEST(ModelError, WhatIsPresentOrConfirmedStands) {
 TEST(ModelError, AFreeNumberReachesToWhatEveryMemberOfTheSetMakesOfIt) {
     input::Experiment experiment;
     for (const char* name : {"film", "loss"}) {
-        experiment.parameters.push_back({.name = name,
-                                         .unit = "1",
-                                         .layers = {},
-                                         .knots = {},
-                                         .nodes = {},
-                                         .runs = {},
-                                         .low = -100.0,
-                                         .high = 100.0});
+        experiment.parameters.push_back(free_number(name));
     }
     const Observations none;
     const FittedHypothesis one = hypothesis_at(experiment, 1.0, 2.0);
@@ -113,14 +111,7 @@ TEST(ModelError, AFreeNumberReachesToWhatEveryMemberOfTheSetMakesOfIt) {
 // jackknife is t(3) sqrt(3/4 x 4/9) = 3.182 / sqrt(3).
 TEST(ModelError, OfTwoRecordingsTheHalvesAreLeftOut) {
     input::Experiment experiment;
-    experiment.parameters.push_back({.name = "level",
-                                     .unit = "K",
-                                     .layers = {},
-                                     .knots = {},
-                                     .nodes = {},
-                                     .runs = {},
-                                     .low = -100.0,
-                                     .high = 100.0});
+    experiment.parameters.push_back(free_number("level"));
     Observations observations;
     observations.channels = {0};
     observations.names = {"probe"};

@@ -50,6 +50,7 @@ Observations read_with(const input::Experiment& bench, const std::array<std::str
 
 const std::string more_loss = "\n[effects.strain_energy_loss]\ntan_delta_a = 2.568e15\n";  // 1.2 times the case's
 const std::string high_probe = "\n[effects.sensor_offset]\nchannels = [\"bulk_temperature\"]\nkelvin = \"2 K\"\n";
+const std::string higher_probe = "\n[effects.sensor_offset]\nchannels = [\"bulk_temperature\"]\nkelvin = \"4 K\"\n";
 const std::string open_sidewalls = "\n[effects.sidewall_convection]\nconductance = \"3 W/K\"\n";
 
 std::vector<RunChange> changes_of(const input::Experiment& bench, const Observations& read) {
@@ -91,6 +92,18 @@ TEST(RunChanges, AProbeOfOneRunIsTold) {
     EXPECT_EQ(found.front().name(bench), "sensor_offset of bulk_temperature");
     EXPECT_EQ(found.front().runs, std::vector<std::size_t>{0});
     EXPECT_FALSE(found.front().is_trend);
+}
+
+// A probe that reads 2 K more in each run than in the one before is named, and not confirmed: no two runs share what it reads, so that none
+// says what the next one has.
+TEST(RunChanges, WhatNoTwoRunsShareIsNotConfirmed) {
+    const input::Experiment bench = sample::practice_bench();
+    const Diagnosis found = diagnose(bench, read_with(bench, {"", high_probe, higher_probe}, 6), {.plan_next = false});
+    ASSERT_FALSE(found.hypotheses.empty());
+    EXPECT_EQ(found.causes[found.hypotheses.front().front()].id, "sensor_offset");
+    EXPECT_EQ(found.verdict, Verdict::named);
+    EXPECT_GT(found.gain.removed_low, 0.5);
+    EXPECT_FALSE(found.gain.confirmed);
 }
 
 // Nothing is hidden: of 20 drawn sets none may show a change, at two in a thousand.

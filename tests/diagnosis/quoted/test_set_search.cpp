@@ -51,10 +51,11 @@ TEST(SetSearch, TriesTwoWhereNoSingleOneHelps) {
     EXPECT_EQ(sorted(best_sets(search_in(costs, 3)).back()), (AdditionSet{1, 2}));
 }
 
-// With 3 and 4 the first, 0, is superfluous: dropped from {0, 3, 4} it leaves a better pair than {0, 3} was.
+// Exchanges lead from {0, 1, 2} by {0, 2, 3} to {0, 3, 4}. There the first, 0, is superfluous: dropped it leaves a better pair than
+// {0, 1} was, which no exchange of one finds.
 TEST(SetSearch, DropsWhatLaterOnesMakeSuperfluous) {
-    std::map<AdditionSet, double> costs{{{}, 8.5}, {{0}, 7.0}, {{0, 3}, 6.0}, {{0, 3, 4}, 3.0}, {{3, 4}, 3.2}};
-    costs[{3}] = costs[{4}] = 8.0;
+    const std::map<AdditionSet, double> costs{{{}, 8.5},        {{0}, 7.0},       {{0, 1}, 6.0}, {{0, 1, 2}, 5.0},
+                                              {{0, 2, 3}, 4.5}, {{0, 3, 4}, 3.0}, {{3, 4}, 3.2}};
     SetSearch search = search_in(costs, 5);
     search.most = 3;
     const std::vector<AdditionSet> best = best_sets(search);

@@ -54,6 +54,7 @@ TEST(Catalogue, HoldsTheseEffectsAndNoOther) {
                                                 "camera_emissivity",
                                                 "pressure_reading_speed",
                                                 "clock_delay",
+                                                "clock_rate",
                                                 "slip_input_gain",
                                                 "slip_angle_offset",
                                                 "load_input_gain",
@@ -85,8 +86,8 @@ TEST(Catalogue, ReadingsStandInTheirOrder) {
             order.push_back(effect->id);
         }
     }
-    EXPECT_EQ(order, (std::vector<std::string_view>{"camera_emissivity", "sensor_depth", "clock_delay", "sensor_lag",
-                                                    "sensor_offset", "sensor_gain", "sensor_drift",
+    EXPECT_EQ(order, (std::vector<std::string_view>{"camera_emissivity", "sensor_depth", "clock_delay", "clock_rate",
+                                                    "sensor_lag", "sensor_offset", "sensor_gain", "sensor_drift",
                                                     "pressure_reading_speed"}));
 }
 

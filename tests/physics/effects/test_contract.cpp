@@ -71,7 +71,7 @@ TEST_P(EveryEffect, HasTheFunctionsOfItsClass) {
     } else {
         const SensorModel& model = *effect.sensor_model();
         EXPECT_TRUE(model.read != nullptr || model.lag != nullptr || model.delay != nullptr ||
-                    model.depth_offset != nullptr);
+                    model.clock_rate != nullptr || model.depth_offset != nullptr);
     }
 }
 

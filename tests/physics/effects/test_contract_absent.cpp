@@ -42,6 +42,7 @@ std::vector<double> evaluated(const Bench& bench, const std::vector<Part>& parts
     double value = 330.0;
     double lag = 0.0;
     double delay = 0.0;
+    double clock_rate = 0.0;
     double depth_offset = 0.0;
     for (const ActiveEffect& active : system.effects()) {
         const SensorModel* model = active.effect->sensor_model();
@@ -51,9 +52,10 @@ std::vector<double> evaluated(const Bench& bench, const std::vector<Part>& parts
         value = model->read != nullptr ? model->read(active, 0, value, lively()) : value;
         lag += model->lag != nullptr ? model->lag(active, 0) : 0.0;
         delay += model->delay != nullptr ? model->delay(active, 0) : 0.0;
+        clock_rate += model->clock_rate != nullptr ? model->clock_rate(active, 0) : 0.0;
         depth_offset += model->depth_offset != nullptr ? model->depth_offset(active, 0) : 0.0;
     }
-    numbers.insert(numbers.end(), {value, lag, delay, depth_offset});
+    numbers.insert(numbers.end(), {value, lag, delay, clock_rate, depth_offset});
     return numbers;
 }
 

@@ -103,6 +103,12 @@ TEST(ClockDelay, ReadsAnEarlierTime) {
     EXPECT_NEAR(final_reading({{"clock_delay", {{"delay", -0.5}}}}), 300.0 + sampling_rate * 60.5, 1e-9);
 }
 
+TEST(ClockRate, ReadsLaterAndLater) {
+    // 0.1 s for each second, of 60 s on a ramp: what was there at 54 s, or at 66 s.
+    EXPECT_NEAR(final_reading({{"clock_rate", {{"rate", 360.0}}}}), 300.0 + sampling_rate * 54.0, 1e-9);
+    EXPECT_NEAR(final_reading({{"clock_rate", {{"rate", -360.0}}}}), 300.0 + sampling_rate * 66.0, 1e-9);
+}
+
 TEST(SensorDepth, ReadsDeeper) {
     // A field that rises by 1 K/mm, read at 3 + 1.5 mm before anything happens: 304.5 K.
     solver::Problem problem = heated({{"sensor_depth", {{"offset", 0.0015}}}});
