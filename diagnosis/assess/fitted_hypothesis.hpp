@@ -30,8 +30,8 @@ struct FittedHypothesis {
     [[nodiscard]] Eigen::Index number_of(std::size_t i) const;
 };
 
-/// Where the numbers of causes start, from where they are absent. A lag and a delay of one sensor have the same signature there, and a fit
-/// that starts with one of them alone finds no slope to the other: each takes half of both.
+/// Where the numbers of causes start, from where they are absent. A lag and a delay of one sensor have the same signature there: only their
+/// sum is known, and an estimate may take a long lag and a clock that is early. Each takes half of the sum.
 /// @param amplitudes [n_candidates] by the linearised model  @returns [n_candidates]
 [[nodiscard]] std::vector<double> with_timing_shared(const ScoreTestData& score_data,
                                                      const std::vector<std::size_t>& candidates,
