@@ -5,6 +5,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tiretherm)
 
 install(TARGETS tiretherm)
+install(TARGETS tiretherm_vtk LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(FILES interface/tiretherm.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 foreach(part IN LISTS TIRETHERM_PARTS ITEMS session)
     install(TARGETS tiretherm_${part} EXPORT tiretherm_${part})

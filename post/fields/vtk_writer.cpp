@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Builds the VTK grid of a mesh with layers and zones once, writes it with each field, and registers the format "vtk".
+// Describes a mesh with layers and zones to VTK once, has it written with each field, and registers the format "vtk".
 
 #include "post/fields/vtk_writer.hpp"
 
@@ -10,19 +10,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkFloatArray.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkStringArray.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include "physics/celsius.hpp"
 #include "post/fields/field_view.hpp"
@@ -39,93 +26,42 @@ constexpr const char* temperature_name = "temperature [degC]";
 
 std::string field_name(std::size_t index) { return fmt::format("field_{:04}.vtu", index); }
 
-int cell_type(mesh::CellShape shape) {
-    switch (shape) {
-        case mesh::CellShape::vertex:
-            return VTK_VERTEX;
-        case mesh::CellShape::line:
-            return VTK_LINE;
-        case mesh::CellShape::quadrilateral:
-            return VTK_QUAD;
-        case mesh::CellShape::hexahedron:
-            return VTK_HEXAHEDRON;
-    }
-    return VTK_EMPTY_CELL;
-}
-
-void add_texts(vtkUnstructuredGrid* grid, const std::string& name, const std::vector<std::string>& texts) {
-    vtkNew<vtkStringArray> words;
-    words->SetName(name.c_str());
-    for (const std::string& text : texts) {
-        words->InsertNextValue(text);
-    }
-    grid->GetFieldData()->AddArray(words);
-}
-
 /// Which layer or zone each cell belongs to, and what these are called.
 /// @param of_node [n_nodes] index into names
-void add_parts(vtkUnstructuredGrid* grid, const WholeDrawing& whole, const std::string& what,
-               const std::vector<int>& of_node, const std::vector<std::string>& names) {
+void add_parts(VtkGridParts& grid, const WholeDrawing& whole, const std::string& what, const std::vector<int>& of_node,
+               const std::vector<std::string>& names) {
     if (names.empty()) {
         return;
     }
-    vtkNew<vtkIntArray> index;
-    index->SetName(what.c_str());
+    std::vector<int> index;
     for (const int cell : whole.cell) {
-        index->InsertNextValue(of_node[static_cast<std::size_t>(cell)]);
+        index.push_back(of_node[static_cast<std::size_t>(cell)]);
     }
-    grid->GetCellData()->AddArray(index);
-    add_texts(grid, what + " names", names);
+    grid.integers.push_back({.name = what, .value = std::move(index)});
+    grid.texts.push_back({.name = what + " names", .text = names});
 }
 
-/// Points and cells, in numbers as short as they may be.
-/// @param corners [n_cells * of_a_cell]
-void fill(vtkUnstructuredGrid* grid, const std::vector<mesh::Point>& places, int type, std::span<const int> corners,
-          std::size_t of_a_cell) {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToFloat();
-    for (const auto& [x, y, z] : places) {
-        points->InsertNextPoint(x, y, z);
-    }
-    grid->SetPoints(points);
-    vtkNew<vtkCellArray> cells;
-    cells->Use32BitStorage();
-    std::vector<vtkIdType> ids(of_a_cell);
-    for (auto next = corners.begin(); next != corners.end(); next += static_cast<std::ptrdiff_t>(of_a_cell)) {
-        std::copy_n(next, of_a_cell, ids.begin());
-        cells->InsertNextCell(static_cast<vtkIdType>(of_a_cell), ids.data());
-    }
-    grid->SetCells(type, cells);
-}
-
-/// The file's bytes are made in memory, so that writing them fails with the system's reason.
-std::string file_text(vtkUnstructuredGrid* grid) {
-    vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    writer->SetInputData(grid);
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
-    writer->SetCompressorTypeToZLib();
-    writer->SetCompressionLevel(1);
-    writer->WriteToOutputStringOn();
-    writer->Write();
-    return writer->GetOutputString();
+VtkGridParts parts_of(const WholeDrawing& whole, const solver::Problem& problem, bool has_points) {
+    VtkGridParts grid{.shape = whole.shape,
+                      .points = whole.points,
+                      .corners = whole.corners,
+                      .field = temperature_name,
+                      .field_at_points = has_points};
+    add_parts(grid, whole, "layer", problem.mesh.layer, problem.mesh.layers);
+    add_parts(grid, whole, "zone", problem.mesh.zone, problem.mesh.zones);
+    grid.numbers.push_back({.name = "volume [m3]", .value{whole.volume.begin(), whole.volume.end()}});
+    grid.texts.push_back({.name = "title", .text = {problem.title.empty() ? problem.name : problem.title}});
+    return grid;
 }
 
 }  // namespace
-
-struct VtkWriter::Grid {
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkFloatArray> in_cells;   ///< degC
-    vtkNew<vtkFloatArray> in_points;  ///< degC
-    vtkNew<vtkDoubleArray> time;      ///< s
-};
 
 VtkWriter::VtkWriter(std::filesystem::path directory, const solver::Problem& problem)
     : directory_(std::move(directory)),
       problem_(problem),
       drawn_(problem.mesh),
       whole_(whole_drawing(problem.mesh)),
-      grid_(std::make_unique<Grid>()),
+      grid_(make_vtk_grid(parts_of(whole_, problem, drawn_.exists()))),
       finder_(problem.mesh, solver::nodes_of_layers(problem.mesh)) {
     for (const std::string& name : names_in(directory_)) {
         std::error_code error;
@@ -134,33 +70,7 @@ VtkWriter::VtkWriter(std::filesystem::path directory, const solver::Problem& pro
             throw FileError("remove the earlier fields in", directory_, error.message());
         }
     }
-    vtkUnstructuredGrid* grid = grid_->grid;
-    const mesh::Mesh& mesh = problem.mesh;
-    fill(grid, whole_.points, cell_type(whole_.shape), whole_.corners,
-         static_cast<std::size_t>(mesh::corners_per_cell(whole_.shape)));
-    add_parts(grid, whole_, "layer", mesh.layer, mesh.layers);
-    add_parts(grid, whole_, "zone", mesh.zone, mesh.zones);
-    vtkNew<vtkFloatArray> volume;
-    volume->SetName("volume [m3]");
-    for (const double cell : whole_.volume) {
-        volume->InsertNextValue(static_cast<float>(cell));
-    }
-    grid->GetCellData()->AddArray(volume);
-    grid_->in_cells->SetName(temperature_name);
-    grid_->in_cells->SetNumberOfValues(grid->GetNumberOfCells());
-    grid->GetCellData()->SetScalars(grid_->in_cells);
-    if (drawn_.exists()) {
-        grid_->in_points->SetName(temperature_name);
-        grid_->in_points->SetNumberOfValues(grid->GetNumberOfPoints());
-        grid->GetPointData()->SetScalars(grid_->in_points);
-    }
-    grid_->time->SetName("TimeValue");  // the name under which readers look for it
-    grid_->time->SetNumberOfValues(1);
-    grid->GetFieldData()->AddArray(grid_->time);
-    add_texts(grid, "title", {problem.title.empty() ? problem.name : problem.title});
 }
-
-VtkWriter::~VtkWriter() = default;
 
 std::vector<std::string> VtkWriter::names_in(const std::filesystem::path& directory) {
     std::vector<std::string> names{series_name, borders_name, view_name};
@@ -178,19 +88,16 @@ void VtkWriter::write(double time, std::span<const double> temperature) {
         return static_cast<float>(celsius);
     };
     hottest_time_ = end_ = time;  // until the run says otherwise
-    for (std::size_t cell = 0; cell < whole_.cell.size(); ++cell) {
-        grid_->in_cells->SetValue(static_cast<vtkIdType>(cell),
-                                  see(celsius(temperature[static_cast<std::size_t>(whole_.cell[cell])])));
-    }
+    std::ranges::transform(whole_.cell, grid_->in_cells().begin(), [&](int cell) {
+        return see(celsius(temperature[static_cast<std::size_t>(cell)]));
+    });
     if (drawn_.exists()) {
         const std::vector<double> at_points = drawn_.at_points(temperature);
-        for (std::size_t point = 0; point < whole_.point.size(); ++point) {
-            grid_->in_points->SetValue(static_cast<vtkIdType>(point),
-                                       see(celsius(at_points[static_cast<std::size_t>(whole_.point[point])])));
-        }
+        std::ranges::transform(whole_.point, grid_->at_points().begin(), [&](int point) {
+            return see(celsius(at_points[static_cast<std::size_t>(point)]));
+        });
     }
-    grid_->time->SetValue(0, time);
-    replace_file(directory_ / field_name(times_.size()), file_text(grid_->grid));
+    replace_file(directory_ / field_name(times_.size()), grid_->file_text(time));
     times_.push_back(time);
     write_series();
 }
@@ -231,9 +138,9 @@ void VtkWriter::finish() {
         end = known;
     }
     if (!ends.empty()) {
-        vtkNew<vtkUnstructuredGrid> lines;
-        fill(lines, places, VTK_LINE, ends, 2);
-        replace_file(directory_ / borders_name, file_text(lines));
+        const auto lines =
+            make_vtk_grid({.shape = mesh::CellShape::line, .points = std::move(places), .corners = std::move(ends)});
+        replace_file(directory_ / borders_name, lines->file_text({}));
     }
     write_view();
     has_view_ = true;

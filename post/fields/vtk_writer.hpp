@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "post/fields/output_format.hpp"
+#include "post/fields/vtk_grid.hpp"
 #include "post/fields/whole_drawing.hpp"
 #include "post/page/drawn_field.hpp"
 #include "solver/hot_spot_finder.hpp"
@@ -32,7 +33,6 @@ public:
     /// Removes the series of an earlier run from the directory.
     /// @param problem must outlive the writer   @errors FileError
     VtkWriter(std::filesystem::path directory, const solver::Problem& problem);
-    ~VtkWriter() override;
 
     /// All files that an earlier run has left.
     [[nodiscard]] static std::vector<std::string> names_in(const std::filesystem::path& directory);
@@ -52,8 +52,6 @@ public:
     [[nodiscard]] std::filesystem::path view() const;
 
 private:
-    struct Grid;
-
     void write_series() const;
     void write_view() const;
 
@@ -61,7 +59,7 @@ private:
     const solver::Problem& problem_;
     DrawnField drawn_;
     WholeDrawing whole_;
-    std::unique_ptr<Grid> grid_;  ///< of VTK, with all that does not change in time
+    std::unique_ptr<VtkGrid> grid_;
     std::vector<double> times_;
     double low_ = 1e300;  ///< degC, of all that is drawn at all times
     double high_ = -1e300;
