@@ -82,8 +82,8 @@ void print_diagnosis(const diagnosis::Diagnosis& found) {
         fmt::print("gain       {:.3f} ({:.3f} to {:.3f}), log e {:.2f}{}\n", found.gain.removable_removed,
                    found.gain.low, found.gain.high, found.gain.log_e, found.gain.confirmed ? ", confirmed" : "");
     }
-    for (const std::string& remark : found.remarks) {
-        fmt::print("remark     {}\n", remark);
+    for (const diagnosis::Remark& remark : found.remarks) {
+        fmt::print("remark     {}\n", tiretherm::post::text_of(remark));
     }
     fmt::print("own error  {:.2f} sigma; {} simulations, {:.2f} s\n", found.numerical_error_sigma, found.simulations,
                found.seconds);

@@ -16,6 +16,7 @@
 
 #include "hidden_effects/exam/exam_evaluation.hpp"
 #include "hidden_effects/exam/exam_table.hpp"
+#include "hidden_effects/exam/further_runs.hpp"
 
 namespace hidden_effects {
 
@@ -104,6 +105,32 @@ TEST(ExamBenchLong, PapersOfFreshSeeds) {
                              first, last, specs.size())
               << table_of(rows_of(marks)) << costs_of(marks) << confusions_of(marks);
     expect_enough(marks);
+}
+
+// What a planned run is worth: pairs on two nodes with up to three further runs, chosen by the diagnosis, and as many chosen
+// blindly; a sample every 4 s, for half the cost. TIRETHERM_EXAM_FIRST_SEED and _PAIR as above; TIRETHERM_EXAM_CHOICE:
+// planned or blind alone.
+TEST(ExamFurtherRunsLong, PairsOfFreshSeeds) {
+    const std::time_t now = std::time(nullptr);
+    const std::uint64_t first = setting("TIRETHERM_EXAM_FIRST_SEED", static_cast<std::uint64_t>(now));
+    const std::uint64_t count = setting("TIRETHERM_EXAM_PAIR", 40);
+    const char* const choice_text = std::getenv("TIRETHERM_EXAM_CHOICE");
+    const std::string alone = choice_text == nullptr ? "" : choice_text;
+    std::vector<Row> rows;
+    for (const Choice choice : {Choice::planned, Choice::blind}) {
+        if (!alone.empty() && (alone == "planned") != (choice == Choice::planned)) {
+            continue;
+        }
+        std::vector<std::vector<Stage>> stages;
+        for (std::uint64_t seed = first; seed < first + count; ++seed) {
+            stages.push_back(diagnose_with_further_runs(draw_data_set(Kind::pair, 10.0, seed, 4.0), choice, 3));
+            std::cout << course_of(stages.back()) << std::flush;
+        }
+        std::ranges::copy(rows_of(stages, choice), std::back_inserter(rows));
+    }
+    std::cout << fmt::format("\n{:%Y-%m-%d %H:%M}, two_node, seeds {} to {}, {} data sets\n", fmt::gmtime(now), first,
+                             first + count - 1, count)
+              << table_of(rows);
 }
 
 }  // namespace hidden_effects

@@ -31,20 +31,28 @@ RigProgramme draw_programme_of(const Rig& rig, Kind kind, std::uint64_t seed, do
     return dull;
 }
 
+/// No two kinds share a programme, nor do they with the fits of test_recovery_bench. @param run from 1 on, below 10
+std::uint64_t seed_of_programme(Kind kind, std::uint64_t seed, std::uint64_t run) {
+    return 1000000007ULL * (static_cast<std::uint64_t>(kind) + 1) + 10 * seed + run;
+}
+
+/// Adds a run that starts near the temperature of its air.
+void add_programme(BenchRuns& runs, RigProgramme programme, Random& random) {
+    const double air = programme.air_temperature.front();
+    runs.programmes.push_back(std::move(programme));
+    runs.of_run.emplace_back();
+    for (const FreeNumber& number : runs.rig->of_run) {
+        runs.of_run.back().push_back(air + number.expected + number.spread * random.normal());
+    }
+}
+
 BenchRuns draw_runs(const Rig& rig, Kind kind, std::uint64_t seed, double interval, Random& random) {
     BenchRuns runs{.rig = &rig};
     for (const FreeNumber& number : rig.of_bench) {
         runs.of_bench.push_back(number.expected + number.spread * random.normal());
     }
     for (std::uint64_t run = 1; run <= n_runs; ++run) {
-        // No two kinds share a programme, nor do they with the fits of test_recovery_bench.
-        const std::uint64_t of_run = 1000000007ULL * (static_cast<std::uint64_t>(kind) + 1) + 10 * seed + run;
-        runs.programmes.push_back(draw_programme_of(rig, kind, of_run, interval));
-        const double air = runs.programmes.back().air_temperature.front();
-        runs.of_run.emplace_back();
-        for (const FreeNumber& number : rig.of_run) {
-            runs.of_run.back().push_back(air + number.expected + number.spread * random.normal());
-        }
+        add_programme(runs, draw_programme_of(rig, kind, seed_of_programme(kind, seed, run), interval), random);
     }
     return runs;
 }
@@ -59,6 +67,17 @@ Readings true_readings(const ExamDataSet& data_set) {
     driven.programmes = driven_by(data_set.source, data_set.runs.programmes);
     return readings_of(driven, {{.id = data_set.source.id, .parameters = {{"watts", data_set.source.watts}}}},
                        tolerance);
+}
+
+/// Logs the next run as its sensors give it. @param trace without noise
+void add_log(ExamDataSet& data_set, RigTrace trace, Random& noise) {
+    const Rig& rig = *data_set.runs.rig;
+    const RigProgramme& programme = data_set.runs.programmes[data_set.logs.size()];
+    for (std::size_t c = 0; c < rig.channels.size(); ++c) {
+        const std::vector<double> drawn = draw_noise(rig.channels[c].noise, programme.time, noise);
+        std::transform(trace[c].begin(), trace[c].end(), drawn.begin(), trace[c].begin(), std::plus<>());
+    }
+    data_set.logs.push_back(rig.log(programme, trace));
 }
 
 }  // namespace
@@ -107,20 +126,23 @@ ExamDataSet draw_data_set(Kind kind, double sigma, std::uint64_t seed, double in
     if (kind == Kind::pair && rig.finds_twins) {
         data_set.confounded = nearest_confounded(data_set);
     }
-    Readings readings = true_readings(data_set);
-    for (std::size_t run = 0; run < n_runs; ++run) {
-        const RigProgramme& programme = data_set.runs.programmes[run];
-        for (std::size_t c = 0; c < rig.channels.size(); ++c) {
-            std::vector<double>& values = readings[run][c];
-            const std::vector<double> drawn = draw_noise(rig.channels[c].noise, programme.time, noise);
-            std::transform(values.begin(), values.end(), drawn.begin(), values.begin(), std::plus<>());
-        }
-        data_set.logs.push_back(rig.log(programme, readings[run]));
+    for (RigTrace& trace : true_readings(data_set)) {
+        add_log(data_set, std::move(trace), noise);
     }
     if (kind == Kind::decoy) {
         add_decoys(data_set.logs, data_set.runs.programmes, random);
     }
     return data_set;
+}
+
+void add_run(ExamDataSet& data_set, const Drive& drive) {
+    const std::size_t run = data_set.runs.programmes.size();
+    RigProgramme programme;
+    static_cast<Programme&>(programme) =
+        drive_programme(drive, seed_of_programme(data_set.kind, data_set.seed, run + 1));
+    Random random(3000017ULL * data_set.seed + 10 * run + static_cast<std::uint64_t>(data_set.kind));
+    add_programme(data_set.runs, std::move(programme), random);
+    add_log(data_set, readings_of_run(data_set.runs, run, data_set.hidden, data_set.runs.rig->tolerance), random);
 }
 
 std::string answer_of(const ExamDataSet& data_set) {

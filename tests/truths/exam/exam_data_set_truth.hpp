@@ -86,6 +86,10 @@ struct ExamDataSet {
 [[nodiscard]] ExamDataSet draw_data_set(Kind kind, double sigma, std::uint64_t seed, double interval = 0.0,
                                         const Rig& rig = two_node_rig());
 
+/// Drives the bench of two nodes of a data set once more, with what is hidden in it, and adds the log: a day, a start and
+/// noise of its own, drawn from the data set's seed and the number of its runs. What the oracle saw stays as it was.
+void add_run(ExamDataSet& data_set, const Drive& drive);
+
 /// "sensor_lag of bulk_temperature + inner_gas", "heat after throttle in the surface", "nothing"
 [[nodiscard]] std::string answer_of(const ExamDataSet& data_set);
 

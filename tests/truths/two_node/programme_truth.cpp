@@ -39,14 +39,25 @@ double lateral_force(const Hold& hold) {
     return most > 0.0 ? -most * std::tanh(60e3 * hold.slip / most) : 0.0;
 }
 
-void append(Programme& programme, double time, const Hold& hold, double air, double road) {
+/// Temperatures of a day, K.
+struct Day {
+    double air = 0.0;
+    double road = 0.0;
+};
+
+Day draw_day(Random& random) {
+    const double air = std::round(random.uniform(150.0, 300.0)) / 10.0 + celsius;
+    return {.air = air, .road = air + std::round(random.uniform(0.0, 100.0)) / 10.0};
+}
+
+void append(Programme& programme, double time, const Hold& hold, const Day& day) {
     programme.time.push_back(time);
     programme.speed.push_back(rounded(hold.speed * 3.6, 0.01) / 3.6);
     programme.vertical_load.push_back(rounded(hold.load, 0.1));
     programme.slip_angle.push_back(rounded(hold.slip / degree, 1e-4) * degree);
     programme.lateral_force.push_back(rounded(lateral_force(hold), 0.1));
-    programme.air_temperature.push_back(air);
-    programme.road_temperature.push_back(road);
+    programme.air_temperature.push_back(day.air);
+    programme.road_temperature.push_back(day.road);
 }
 
 /// Wanders between 0 and 1: straight between values drawn for moments half a minute to two minutes apart.
@@ -85,8 +96,7 @@ Hold draw_hold(Random& random) {
 
 Programme draw_programme(std::uint64_t seed, double interval) {
     Random random(seed);
-    const double air = std::round(random.uniform(150.0, 300.0)) / 10.0 + celsius;
-    const double road = air + std::round(random.uniform(0.0, 100.0)) / 10.0;
+    const Day day = draw_day(random);
     Programme programme;
     Hold from;
     Hold to;
@@ -100,7 +110,19 @@ Programme draw_programme(std::uint64_t seed, double interval) {
             next += to.slip != 0.0 ? random.uniform(60.0, 180.0) : random.uniform(80.0, 420.0);
             next = std::round(next / interval) * interval;
         }
-        append(programme, t, between(from, to, std::min(1.0, (t - change) / ramp)), air, road);
+        append(programme, t, between(from, to, std::min(1.0, (t - change) / ramp)), day);
+    }
+    draw_throttle(programme, random);
+    return programme;
+}
+
+Programme drive_programme(const Drive& drive, std::uint64_t seed) {
+    Random random(seed);
+    const Day day = draw_day(random);
+    Programme programme;
+    for (std::size_t i = 0; i < drive.time.size(); ++i) {
+        append(programme, drive.time[i],
+               {.speed = drive.speed[i], .load = drive.vertical_load[i], .slip = drive.slip_angle[i]}, day);
     }
     draw_throttle(programme, random);
     return programme;
@@ -108,12 +130,11 @@ Programme draw_programme(std::uint64_t seed, double interval) {
 
 Programme draw_dull_programme(std::uint64_t seed, double interval) {
     Random random(seed);
-    const double air = std::round(random.uniform(150.0, 300.0)) / 10.0 + celsius;
-    const double road = air + std::round(random.uniform(0.0, 100.0)) / 10.0;
+    const Day day = draw_day(random);
     const Hold hold{.speed = random.uniform(60.0, 160.0) / 3.6, .load = random.uniform(3000.0, 6000.0)};
     Programme programme;
     for (double t = 0.0; t <= duration; t += interval) {
-        append(programme, t, hold, air, road);
+        append(programme, t, hold, day);
     }
     draw_throttle(programme, random);
     return programme;

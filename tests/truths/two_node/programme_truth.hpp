@@ -23,6 +23,15 @@ struct Programme {
 /// seven minutes with ramps of four seconds between them; now and then nearly unloaded or at rest. What is logged has
 /// the digits of a log, and the truth is driven by what is logged.
 [[nodiscard]] Programme draw_programme(std::uint64_t seed, double interval = 2.0);
+/// What somebody means to drive.
+struct Drive {
+    std::vector<double> time;           ///< s, ascending
+    std::vector<double> speed;          ///< m/s
+    std::vector<double> vertical_load;  ///< N
+    std::vector<double> slip_angle;     ///< rad
+};
+/// A drive as it is logged, on a day of its own: the seed draws air, road and throttle.
+[[nodiscard]] Programme drive_programme(const Drive& drive, std::uint64_t seed);
 /// Forty minutes at one speed and one load, rolling straight from the start: little can be learnt from it.
 [[nodiscard]] Programme draw_dull_programme(std::uint64_t seed, double interval = 2.0);
 
