@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "mesh/parallel.hpp"
 #include "solver/time_integration/stopwatch.hpp"
 
 namespace tiretherm::solver {
@@ -33,21 +34,23 @@ constexpr double far = 20.0;
 /// to its cell, is at most its residual over its own row beside that.
 double Newton::bound_of_error(double s) const {
     const std::span<const double> compliance = factors_.compliance();
-    std::array<double, 4> of_cells{};  // side by side, so that no comparison waits for the one before
-    double of_surfaces = 0.0;
     const auto cells = static_cast<std::size_t>(system_->problem().mesh.n_cells);
-    std::size_t i = 0;
-    for (; i + 4 <= cells; i += 4) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double bound = std::abs(residual_[i + k]) * compliance[i + k];
-            of_cells[k] = bound > of_cells[k] ? bound : of_cells[k];
+    const auto bound_of_range = [&](std::size_t begin, std::size_t end) {
+        std::array<double, 4> bounds{};  // side by side, so that no comparison waits for the one before
+        for (std::size_t i = begin; i < end; ++i) {
+            const double bound = std::abs(residual_[i]) * compliance[i];
+            bounds[i % 4] = bound > bounds[i % 4] ? bound : bounds[i % 4];
         }
-    }
-    for (; i < residual_.size(); ++i) {
-        double& bound = system_->has_capacity(i) ? of_cells[0] : of_surfaces;
+        return std::ranges::max(bounds);
+    };
+    const auto larger = [](double a, double b) { return std::max(a, b); };
+    double of_cells = joined_over_ranges(cells, bound_of_range, larger);
+    double of_surfaces = 0.0;
+    for (std::size_t i = cells; i < residual_.size(); ++i) {
+        double& bound = system_->has_capacity(i) ? of_cells : of_surfaces;
         bound = std::max(bound, std::abs(residual_[i]) * compliance[i]);
     }
-    return std::ranges::max(of_cells) + of_surfaces / s;
+    return of_cells + of_surfaces / s;
 }
 
 /// Surfaces without capacity follow their cells and what acts on them now, not when the factor was made: speed and load
@@ -105,16 +108,12 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
             }
             correct_surfaces(stage.s);
         }
-        double size = 0.0;
-        for (const double change : correction_) {
-            size = std::max(size, std::abs(change));
-        }
+        const double size =
+            largest_over_nodes(correction_.size(), [&](std::size_t i) { return std::abs(correction_[i]); }).value;
         if (!(size < far) || (correction > 1 && size > (kept ? slow_contraction : slow_iterated) * before)) {
             return false;
         }
-        for (std::size_t i = 0; i < T.size(); ++i) {
-            T[i] += correction_[i];
-        }
+        over_nodes(T.size(), [&](std::size_t i) { T[i] += correction_[i]; });
         if (correction > 1 && size * size / before <= stage.tolerance) {
             if (!evaluate(stage, T).ok()) {
                 return false;
@@ -146,14 +145,14 @@ bool Newton::solve_simplified(const Stage& stage, std::span<double> T) {
     if (stage.steady || (factors_.current().is_exact() && (!factors_.select(stage.s) || factors_.is_worn_out()))) {
         return false;
     }
-    std::ranges::copy(T, guess_.begin());
+    copy_nodes(T, guess_);
     const long before = now_.counters.newton_iterations;
     const bool solved = correct_simplified(stage, T) && (!stage.closed || close_by_shifts(stage, T));
     factors_.count_corrections(static_cast<int>(now_.counters.newton_iterations - before));
     if (solved) {
         return true;
     }
-    std::ranges::copy(guess_, T.begin());
+    copy_nodes(guess_, T);
     factors_.wear_out();
     return false;
 }
