@@ -22,6 +22,10 @@ constexpr double slow_contraction = 0.3;
 constexpr double slow_iterated = 0.6;
 /// A correction by iteration is found to this accuracy: the next one mends what A leaves out of the Jacobian as well.
 constexpr double accuracy_of_iteration = 0.03;
+/// That accuracy is one of the energy, in which cells much smaller than the others hardly weigh: where the corrections do not contract,
+/// it is sharpened by this factor, and the stages after it keep to that; twice at most.
+constexpr double sharpening = 0.1;
+constexpr double sharpest = 0.011;
 /// A guess whose error is below this share of the tolerance needs no correction: in a session at 1 kHz, most.
 constexpr double guess_share = 0.02;
 /// A correction this large is Newton's own business, which is damped. K
@@ -80,7 +84,7 @@ void Newton::correct_surfaces(double s) {
 /// Corrections by the factor at hand alone, without matrices, while they contract; the system is left evaluated at T.
 bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
     const bool kept = factors_.current().is_exact();
-    double accuracy = accuracy_of_iteration;
+    double accuracy = now_.sharpness * accuracy_of_iteration;
     double before = 0.0;
     for (int correction = 1; correction <= (kept ? most_simplified : most_iterated); ++correction) {
         if (!evaluate(stage, T).ok()) {
@@ -110,9 +114,11 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
         }
         const double size =
             largest_over_nodes(correction_.size(), [&](std::size_t i) { return std::abs(correction_[i]); }).value;
-        if (!(size < far) || (correction > 1 && size > (kept ? slow_contraction : slow_iterated) * before)) {
+        const bool slow = correction > 1 && size > (kept ? slow_contraction : slow_iterated) * before;
+        if (!(size < far) || (slow && (kept || now_.sharpness < sharpest))) {
             return false;
         }
+        now_.sharpness *= slow ? sharpening : 1.0;
         over_nodes(T.size(), [&](std::size_t i) { T[i] += correction_[i]; });
         if (correction > 1 && size * size / before <= stage.tolerance) {
             if (!evaluate(stage, T).ok()) {
@@ -125,7 +131,7 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
         }
         // What the next correction will be is known by its size: it need be no more accurate than the tolerance asks for.
         const double next = correction > 1 ? size * size / before : size * accuracy_of_iteration;
-        accuracy = std::clamp(0.5 * stage.tolerance / next, accuracy_of_iteration, 0.5);
+        accuracy = now_.sharpness * std::clamp(0.5 * stage.tolerance / next, accuracy_of_iteration, 0.5);
         before = size;
     }
     return false;
