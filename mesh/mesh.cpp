@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "mesh/index.hpp"
+#include "mesh/parallel.hpp"
+
 namespace tiretherm::mesh {
 
 namespace {
@@ -42,17 +45,19 @@ void Functional::normalise() {
 }
 
 double Functional::operator()(std::span<const double> temperature) const {
-    std::array<double, 4> sums{};  // side by side: one alone would wait for each addition
-    std::size_t i = 0;
-    for (; i + 4 <= nodes.size(); i += 4) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            sums[k] += weights[i + k] * temperature[static_cast<std::size_t>(nodes[i + k])];
+    return sum_over_ranges(nodes.size(), [&](std::size_t begin, std::size_t end) {
+        std::array<double, 4> sums{};  // side by side: one alone would wait for each addition
+        std::size_t i = begin;
+        for (; i + 4 <= end; i += 4) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                sums[k] += weights[i + k] * temperature[at(nodes[i + k])];
+            }
         }
-    }
-    for (; i < nodes.size(); ++i) {
-        sums[0] += weights[i] * temperature[static_cast<std::size_t>(nodes[i])];
-    }
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+        for (; i < end; ++i) {
+            sums[0] += weights[i] * temperature[at(nodes[i])];
+        }
+        return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    });
 }
 
 double Patch::area() const {

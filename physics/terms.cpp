@@ -4,15 +4,14 @@
 
 #include "physics/terms.hpp"
 
-#include <algorithm>
-
 #include "mesh/index.hpp"
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::physics {
 
 namespace {
 
-void clear(std::vector<double>& values) { std::fill(values.begin(), values.end(), 0.0); }
+void clear(std::vector<double>& values) { fill_nodes(values, 0.0); }
 
 }  // namespace
 
@@ -35,14 +34,17 @@ void Terms::begin(std::span<const double> at_temperature) {
     }
     if (faces_used) {
         clear(face_G);
+        faces_used = false;
+    }
+    if (faces_vary) {
         clear(face_dq_dTa);
         clear(face_dq_dTb);
-        faces_used = false;
+        faces_vary = false;
     }
     const auto n = at(mesh_->n_nodes);
     for (std::size_t region = 0; region < region_used.size(); ++region) {
         if (region_used[region] != 0) {
-            std::fill_n(region_slope.begin() + static_cast<std::ptrdiff_t>(region * n), n, 0.0);
+            fill_nodes(std::span(region_slope).subspan(region * n, n), 0.0);
             region_used[region] = 0;
         }
     }
@@ -58,11 +60,11 @@ void Terms::add_conductance_derivative(int face, int region, double dG_dT_mean) 
 }
 
 void Terms::add_difference(const Terms& here, const Terms& there, double step) {
-    for (std::size_t n = 0; n < node_q.size(); ++n) {
+    over_nodes(node_q.size(), [&](std::size_t n) {
         node_G[n] += here.node_G[n];
         node_q[n] += here.node_q[n];
         node_slope[n] += (there.node_q[n] - here.node_q[n]) / step + here.node_G[n];
-    }
+    });
     for (std::size_t e = 0; e < watts.size(); ++e) {
         watts[e] += here.watts[e];
     }

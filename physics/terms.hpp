@@ -39,7 +39,7 @@ public:
             const double drop = drop_across(face);
             face_dq_dTa[f] += dG_dTa * drop;
             face_dq_dTb[f] += dG_dTb * drop;
-            nonlinear = true;
+            nonlinear = faces_vary = true;
         }
     }
     /// The same for one who has the drop T_b - T_a [K] at hand.
@@ -49,7 +49,8 @@ public:
         face_G[f] += G;
         face_dq_dTa[f] += dG_dTa * drop;
         face_dq_dTb[f] += dG_dTb * drop;
-        nonlinear = nonlinear || dG_dTa != 0.0 || dG_dTb != 0.0;
+        faces_vary = faces_vary || dG_dTa != 0.0 || dG_dTb != 0.0;
+        nonlinear = nonlinear || faces_vary;
         if (G < 0.0) {
             note_negative(mesh_->faces[f].a);
         }
@@ -142,6 +143,7 @@ public:
     std::vector<double> watts;            ///< [n_effects] W
     std::span<const double> temperature;  ///< [n_nodes] K
     bool faces_used = false;              ///< whether any face has a conductance
+    bool faces_vary = false;              ///< whether any conductance follows a temperature at its ends
     bool nonlinear = false;
     int negative_node = -1;  ///< first node given a negative conductance, and by which effect
     int negative_effect = -1;

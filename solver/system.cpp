@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "mesh/index.hpp"
+#include "mesh/parallel.hpp"
 #include "physics/celsius.hpp"
 
 namespace tiretherm::solver {
@@ -27,19 +28,19 @@ System::System(const Problem& problem)
     : problem_(&problem),
       pattern_(pattern_of(problem.mesh)),
       terms_(problem.mesh, problem.effects.size()),
-      here_(problem.mesh, problem.effects.size()),
-      there_(problem.mesh, problem.effects.size()),
       means_(problem.mesh.regions.size()),
       shifted_means_(problem.mesh.regions.size()),
-      shifted_(at(problem.mesh.n_nodes)),
       flow_(at(problem.mesh.n_nodes)),
-      too_cold_(at(problem.mesh.n_nodes)),
-      too_hot_(at(problem.mesh.n_nodes)),
       material_model_{.materials = problem.materials, .link_laws = problem.link_laws, .tire = problem.tire},
       effects_(problem.effects),
       lump_(at(problem.mesh.n_nodes)) {
-    for (const mesh::Face& face : problem.mesh.faces) {
-        ends_.push_back({face.a, face.b});
+    face_of_.resize(pattern_.nonzeros(), -1);
+    for (std::size_t f = 0; f < problem.mesh.faces.size(); ++f) {
+        if (int& face = face_of_[at(pattern_.ab[f])]; face < 0) {
+            face = face_of_[at(pattern_.ba[f])] = static_cast<int>(f);
+        } else {
+            second_faces_.push_back(f);
+        }
     }
     settle_effects();
     for (const physics::ActiveEffect& active : effects_) {
@@ -48,6 +49,11 @@ System::System(const Problem& problem)
         const physics::HeatEffect* heat = active.effect->heat_effect();
         if (heat != nullptr && heat->evaluate_coefficients != nullptr) {
             with_coefficients_.push_back(first_coefficient_.size() - 1);
+        }
+        if (heat != nullptr && !heat->gives_derivatives && !there_) {
+            there_.emplace(problem.mesh, problem.effects.size());
+            here_.emplace(problem.mesh, problem.effects.size());
+            shifted_.resize(at(problem.mesh.n_nodes));
         }
         for (std::size_t i = 0; i < active.lumped_nodes.size(); ++i) {
             lump_[at(active.lumped_nodes[i])] += active.effect->heat_effect()->capacity(active, i);
@@ -67,6 +73,29 @@ System::System(const Problem& problem)
                 constant_capacity_.back() = mass * c.value(0.0);
             } else {
                 varying_capacity_.push_back(at(node));
+            }
+        }
+    }
+    find_surfaces();
+}
+
+void System::find_surfaces() {
+    if (problem_->mesh.n_cells + std::ssize(problem_->mesh.lumped_nodes) == problem_->mesh.n_nodes) {
+        return;
+    }
+    constexpr std::size_t none = -1;
+    std::vector surface(mass_.size(), none);
+    for (std::size_t i = at(problem_->mesh.n_cells); i < mass_.size(); ++i) {
+        if (!has_capacity(i)) {
+            surface[i] = surfaces_.size();
+            surfaces_.push_back({.node = i});
+        }
+    }
+    for (std::size_t f = 0; f < problem_->mesh.faces.size(); ++f) {
+        const mesh::Face& face = problem_->mesh.faces[f];
+        for (const int node : {face.a, face.b}) {
+            if (const std::size_t k = surface[at(node)]; k != none) {
+                surface_faces_.push_back({.face = f, .surface = k, .is_a = node == face.a});
             }
         }
     }
@@ -198,55 +227,57 @@ void System::evaluate(std::span<const double> T, std::span<const double> coeffic
             terms_.watts[e] = heat->is_memory ? 0.0 : terms_.watts[e];
             continue;
         }
-        for (std::size_t i = 0; i < T.size(); ++i) {
-            shifted_[i] = T[i] + difference_step;
-        }
+        over_nodes(T.size(), [&](std::size_t i) { shifted_[i] = T[i] + difference_step; });
         find_means(shifted_, shifted_means_);
-        here_.begin(T);
-        there_.begin(shifted_);
-        here_.attribute_to(e);
-        there_.attribute_to(e);
-        heat->add_terms(evaluation_state(e, T, means_, coefficients), here_);
-        heat->add_terms(evaluation_state(e, shifted_, shifted_means_, coefficients), there_);
-        terms_.add_difference(here_, there_, difference_step);
+        here_->begin(T);
+        there_->begin(shifted_);
+        here_->attribute_to(e);
+        there_->attribute_to(e);
+        heat->add_terms(evaluation_state(e, T, means_, coefficients), *here_);
+        heat->add_terms(evaluation_state(e, shifted_, shifted_means_, coefficients), *there_);
+        terms_.add_difference(*here_, *there_, difference_step);
     }
-    std::copy(terms_.node_q.begin(), terms_.node_q.end(), flow_.begin());
-    add_face_flows(terms_, T, flow_);
+    find_flow(terms_, T, flow_);
 }
 
-/// What the faces let through between the nodes at their ends.
-void System::add_face_flows(const physics::Terms& terms, std::span<const double> T, std::span<double> q) const {
-    if (!terms.faces_used || ends_.empty()) {
+/// What the terms make of the temperatures: heat and exchanges of each node, and what its faces let through.
+void System::find_flow(const physics::Terms& terms, std::span<const double> T, std::span<double> q) const {
+    if (!terms.faces_used) {
+        copy_nodes(terms.node_q, q);
         return;
     }
-    // Faces in a row share a node with the one before: what that one takes from it waits for this one, not in memory.
-    int shared = ends_.front()[0];
-    double from_shared = 0.0;
-    for (std::size_t f = 0; f < ends_.size(); ++f) {
-        const auto [a, b] = ends_[f];
-        const double flux = terms.face_G[f] * (T[at(b)] - T[at(a)]);
-        if (a == shared) {
-            q[at(a)] += flux - from_shared;
-        } else {
-            q[at(shared)] -= from_shared;
-            q[at(a)] += flux;
+    over_nodes(q.size(), [&](std::size_t i) {
+        double flux = 0.0;
+        for (std::size_t e = at(pattern_.start[i]); e < at(pattern_.start[i + 1]); ++e) {
+            if (const int f = face_of_[e]; f >= 0) {
+                flux += terms.face_G[at(f)] * (T[at(pattern_.column[e])] - T[i]);
+            }
         }
-        shared = b;
-        from_shared = flux;
+        q[i] = terms.node_q[i] + flux;
+    });
+    for (const std::size_t f : second_faces_) {
+        const mesh::Face& face = problem_->mesh.faces[f];
+        const double flux = terms.face_G[f] * (T[at(face.b)] - T[at(face.a)]);
+        q[at(face.a)] += flux;
+        q[at(face.b)] -= flux;
     }
-    q[at(shared)] -= from_shared;
+}
+
+/// Made when it is first asked for: most runs never do.
+physics::Terms& System::terms_to_work_in() const {
+    return here_ ? *here_ : here_.emplace(problem_->mesh, effects_.size());
 }
 
 void System::find_flow_of(std::span<const std::size_t> which, std::span<const double> T, std::span<const double> means,
                           std::span<const double> coefficients, std::span<double> q) const {
-    here_.begin(T);
+    physics::Terms& terms = terms_to_work_in();
+    terms.begin(T);
     find_loss_factors(T, means, coefficients, std::nullopt);
     for (const std::size_t e : which) {
-        here_.attribute_to(e);
-        effects_[e].effect->heat_effect()->add_terms(evaluation_state(e, T, means, coefficients), here_);
+        terms.attribute_to(e);
+        effects_[e].effect->heat_effect()->add_terms(evaluation_state(e, T, means, coefficients), terms);
     }
-    std::copy(here_.node_q.begin(), here_.node_q.end(), q.begin());
-    add_face_flows(here_, T, q);
+    find_flow(terms, T, q);
 }
 
 double System::total_heat(std::span<const double> T, const physics::Inputs& logged, LeftOut left_out) {
@@ -263,16 +294,15 @@ double System::share_of_law(std::size_t effect, std::span<const double> T, const
 }
 
 void System::enthalpy(std::span<const double> T, std::span<double> H) const {
-    for (std::size_t i = 0; i < T.size(); ++i) {
-        H[i] = constant_capacity_[i] * T[i];
-    }
-    for (const std::size_t i : varying_capacity_) {
+    over_nodes(T.size(), [&](std::size_t i) { H[i] = constant_capacity_[i] * T[i]; });
+    over_nodes(varying_capacity_.size(), [&](std::size_t k) {
+        const std::size_t i = varying_capacity_[k];
         H[i] = mass_[i] * material_model_.materials[at(problem_->mesh.layer[i])].heat_capacity.integral(T[i]);
-    }
+    });
 }
 
 double System::of_budget(std::span<const double> heat) const {
-    double sum = std::accumulate(heat.begin(), heat.end(), 0.0);
+    double sum = sum_of(heat);
     for (const std::size_t node : memory_) {
         sum -= heat[node];
     }
@@ -290,26 +320,30 @@ Status System::failure_at(Outcome outcome, std::string_view why, int node, doubl
 
 int System::first_not_finite() const {
     // Zero times a number is zero; times what is none, it is not.
-    std::array<double, 4> sums{};
-    std::size_t i = 0;
-    for (; i + 4 <= flow_.size(); i += 4) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            sums[k] += 0.0 * flow_[i + k];
+    const auto zeros = [this](std::size_t begin, std::size_t end) {
+        std::array<double, 4> sums{};
+        std::size_t i = begin;
+        for (; i + 4 <= end; i += 4) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                sums[k] += 0.0 * flow_[i + k];
+            }
         }
-    }
-    for (; i < flow_.size(); ++i) {
-        sums[0] += 0.0 * flow_[i];
-    }
-    if ((sums[0] + sums[1]) + (sums[2] + sums[3]) == 0.0) {
+        for (; i < end; ++i) {
+            sums[0] += 0.0 * flow_[i];
+        }
+        return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    };
+    if (sum_over_ranges(flow_.size(), zeros) == 0.0) {
         return -1;
     }
-    const auto bad = std::find_if_not(flow_.begin(), flow_.end(), [](double q) { return std::isfinite(q); });
+    const auto bad = std::ranges::find_if_not(flow_, [](double q) { return std::isfinite(q); });
     return bad == flow_.end() ? -1 : static_cast<int>(bad - flow_.begin());
 }
 
 std::string System::largest_heat_source(int node, std::span<const double> T, std::span<const double> coefficients) {
     find_means(T, means_);
     find_loss_factors(T, means_, coefficients, std::nullopt);
+    physics::Terms& terms = terms_to_work_in();
     double largest = -1.0;
     std::string name = "none";
     for (std::size_t e = 0; e < effects_.size(); ++e) {
@@ -317,13 +351,13 @@ std::string System::largest_heat_source(int node, std::span<const double> T, std
         if (heat == nullptr) {
             continue;
         }
-        here_.begin(T);
-        heat->add_terms(evaluation_state(e, T, means_, coefficients), here_);
-        double watts = std::abs(here_.node_q[at(node)]);
+        terms.begin(T);
+        heat->add_terms(evaluation_state(e, T, means_, coefficients), terms);
+        double watts = std::abs(terms.node_q[at(node)]);
         for (std::size_t f = 0; f < problem_->mesh.faces.size(); ++f) {
             const mesh::Face& face = problem_->mesh.faces[f];
             if (face.a == node || face.b == node) {
-                watts += std::abs(here_.face_G[f] * (T[at(face.b)] - T[at(face.a)]));
+                watts += std::abs(terms.face_G[f] * (T[at(face.b)] - T[at(face.a)]));
             }
         }
         if (!(watts <= largest)) {  // true also for NaN, which is largest of all

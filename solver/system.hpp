@@ -100,9 +100,13 @@ public:
 
 private:
     void settle_effects();
-    void add_face_flows(const physics::Terms& terms, std::span<const double> T, std::span<double> q) const;
+    void find_surfaces();
+    void find_flow(const physics::Terms& terms, std::span<const double> T, std::span<double> q) const;
     void find_symmetric_part(double s, bool steady, Matrix& A) const;
+    bool add_slopes_of_faces(double s, Matrix& J) const;
+    void find_stiffness_of_surfaces();
     [[nodiscard]] double varying_capacity(std::size_t node, double T) const;
+    [[nodiscard]] physics::Terms& terms_to_work_in() const;
     [[nodiscard]] physics::EvaluationState evaluation_state(std::size_t effect, std::span<const double> T,
                                                             std::span<const double> means,
                                                             std::span<const double> coefficients) const;
@@ -122,17 +126,31 @@ private:
     std::vector<std::size_t> first_coefficient_;  ///< [n_effects]
     std::vector<std::size_t> with_coefficients_;  ///< effects that have any
     physics::Terms terms_;
-    mutable physics::Terms here_;  ///< to work in: derivatives by difference, some effects alone
-    physics::Terms there_;
+    mutable std::optional<physics::Terms> here_;  ///< to work in: derivatives by difference, some effects alone
+    std::optional<physics::Terms> there_;
     std::vector<double> means_;
     std::vector<double> shifted_means_;
     std::vector<double> shifted_;
     std::vector<double> flow_;
-    std::vector<double> too_cold_;  ///< [n_nodes] K, bounds of a surface that follows its inputs
-    std::vector<double> too_hot_;
     physics::MaterialModel material_model_;
     std::vector<physics::ActiveEffect> effects_;
-    std::vector<std::array<int, 2>> ends_;       ///< [n_faces] nodes a and b
+    /// A node without capacity, and what its own balance is like while the cells are held.
+    struct Surface {
+        std::size_t node = 0;
+        double stiffness = 0.0;  ///< W/K
+        double too_cold = 0.0;   ///< K, bounds of where it comes to rest
+        double too_hot = 0.0;
+    };
+    std::vector<Surface> surfaces_;
+    /// A face at such a node.
+    struct SurfaceFace {
+        std::size_t face;
+        std::size_t surface;  ///< index into surfaces_
+        bool is_a;            ///< whether the node is the face's node a
+    };
+    std::vector<SurfaceFace> surface_faces_;
+    std::vector<int> face_of_;                   ///< [n_nonzeros] face that joins row and column; -1 on the diagonal
+    std::vector<std::size_t> second_faces_;      ///< between nodes that another face joins, too
     std::vector<double> mass_;                   ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes
     std::vector<double> lump_;                   ///< [n_nodes] J/K of a lumped node
     std::vector<std::size_t> memory_;            ///< nodes that are states of a law

@@ -164,7 +164,9 @@ int run(const RunOptions& options) {
     if (was_stopped("nothing was run", options.json)) {
         return Exit::interrupted;
     }
-    const std::string& name = reading.problem->name;
+    const std::string name = reading.problem->name;
+    // What is run has its own: a second mesh of a million cells would be a fifth of all memory.
+    reading.problem.reset();
     const std::string directory = !options.directory.empty() ? options.directory
                                   : options.run.empty()      ? "out/" + name
                                                              : "out/" + name + "/" + options.run;

@@ -6,7 +6,7 @@
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/fit/random_walk.hpp"
-#include "solver/in_parallel.hpp"
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -114,7 +114,7 @@ void estimate_missing_heat(const DiagnosisState& found, Diagnosis& into) {
     const auto windows = static_cast<int>(
         std::clamp(most_of_all_runs / measured.size(), std::size_t{1}, is_small ? most_windows : most_on_large_meshes));
     std::vector<RunWindows> runs(measured.size());
-    solver::in_parallel(runs.size(), [&](std::size_t r) {
+    in_parallel(runs.size(), [&](std::size_t r) {
         const solver::Problem problem = simulator.problem(r, score_data.base.values);
         if (!problem.settings.steady && !measured[r].time.empty()) {
             runs[r] = windows_of_run(r, score_data, problem, projector, left, windows);

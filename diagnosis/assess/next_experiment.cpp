@@ -14,7 +14,7 @@
 
 #include "diagnosis/assess/diagnosis_state.hpp"
 #include "diagnosis/assess/tried_additions.hpp"
-#include "solver/in_parallel.hpp"
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::diagnosis {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <functional>
 
+#include "mesh/parallel.hpp"
 #include "physics/user_effect_place.hpp"
-#include "solver/in_parallel.hpp"
 #include "solver/sensitivity/adjoint_record.hpp"
 
 namespace tiretherm::diagnosis {
@@ -192,8 +192,7 @@ CandidateSources candidate_sources_of(const input::Experiment& experiment, const
     name_terms(experiment, observations, is_small ? windows : 0, sources);
     sources.columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(observations.rows.size()),
                                             static_cast<Eigen::Index>(sources.terms.size()));
-    solver::in_parallel(problems.size(),
-                        [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], sources); });
+    in_parallel(problems.size(), [&](std::size_t r) { fill_run(r, observations, problems[r], steps[r], sources); });
     return sources;
 }
 

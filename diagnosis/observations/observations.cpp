@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "solver/in_parallel.hpp"
+#include "mesh/parallel.hpp"
 #include "solver/sensitivity/prediction.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -283,7 +283,7 @@ void Simulator::read_run(std::size_t run, const solver::Prediction& prediction, 
 ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
     const std::size_t n_runs = experiment_->runs.size();
     std::vector<solver::Prediction> predictions(n_runs);
-    solver::in_parallel(n_runs, [&](std::size_t r) {
+    in_parallel(n_runs, [&](std::size_t r) {
         if (is_asked(r)) {
             predictions[r] = simulate(r, values);
         }
@@ -316,7 +316,7 @@ ModelPrediction Simulator::predict(const Eigen::VectorXd& values) {
             return predicted;
         }
     }
-    solver::in_parallel(observations_->images.size(), [&](std::size_t i) {
+    in_parallel(observations_->images.size(), [&](std::size_t i) {
         const ImageRows& image = observations_->images[i];
         read_images(image, predictions[image.run], problem(image.run, values), predicted);
     });

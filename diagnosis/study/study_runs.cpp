@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
+#include "mesh/parallel.hpp"
 #include "mesh/place.hpp"
 #include "solver/hot_spot_finder.hpp"
-#include "solver/in_parallel.hpp"
 #include "solver/stop_signal.hpp"
 #include "solver/time_integration/run_to_end.hpp"
 
@@ -130,7 +130,7 @@ StudyResults run_study(const input::Study& study, CompletedRuns& journal, unsign
         results.run_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
         progress(++results.done);
     };
-    solver::in_parallel(open.size(), work, threads);
+    in_parallel(open.size(), work, threads);
     return results;
 }
 

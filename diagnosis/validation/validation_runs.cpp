@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis/study/study_record.hpp"
-#include "solver/in_parallel.hpp"
+#include "mesh/parallel.hpp"
 #include "solver/time_integration/run_to_end.hpp"
 
 namespace tiretherm::diagnosis {
@@ -55,7 +55,7 @@ RunResults run_all(const std::vector<input::ValidationRun>& runs, unsigned threa
         }
         progress(++done);
     };
-    solver::in_parallel(order.size(), work, threads);
+    in_parallel(order.size(), work, threads);
     results.warnings = left_ranges(warnings);
     return results;
 }

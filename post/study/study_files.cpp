@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <iterator>
 #include <system_error>
-#include <thread>
 
 #include "input/text/unit_text.hpp"
+#include "mesh/parallel.hpp"
 #include "post/page/html_page.hpp"
 #include "post/report/file.hpp"
 #include "post/study/study_tables.hpp"
@@ -85,9 +85,6 @@ diagnosis::StudyRecord study_record(const input::Study& study, std::vector<diagn
     return record;
 }
 
-unsigned threads_used(unsigned asked, std::size_t runs) {
-    const unsigned wanted = asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
-    return static_cast<unsigned>(std::clamp<std::size_t>(runs, 1, wanted));
-}
+unsigned threads_used(unsigned asked, std::size_t runs) { return static_cast<unsigned>(threads_for(runs, asked)); }
 
 }  // namespace tiretherm::post

@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include <Eigen/Core>
+
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::solver {
 
@@ -20,15 +23,41 @@ constexpr double round_off = 1e-13;
 using Vector = Eigen::Map<Eigen::VectorXd>;
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
 
-ConstVector view(std::span<const double> v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
+/// A range of nodes.
+struct Nodes {
+    std::size_t begin;
+    std::size_t end;
 
-double dot(std::span<const double> a, std::span<const double> b) { return view(a).dot(view(b)); }
+    template <typename Row>
+    [[nodiscard]] auto of(Row&& row) const {
+        constexpr bool is_fixed = std::is_const_v<std::remove_pointer_t<decltype(row.data())>>;
+        return std::conditional_t<is_fixed, ConstVector, Vector>(row.data() + begin, count());
+    }
+    [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(end - begin); }
+};
 
-double largest(std::span<const double> a) { return view(a).lpNorm<Eigen::Infinity>(); }
+double dot(std::span<const double> a, std::span<const double> b) {
+    return sum_over_ranges(a.size(), [&](std::size_t begin, std::size_t end) {
+        const Nodes nodes{begin, end};
+        return nodes.of(a).dot(nodes.of(b));
+    });
+}
+
+double largest(std::span<const double> a) {
+    return joined_over_ranges(
+        a.size(),
+        [&](std::size_t begin, std::size_t end) {
+            return Nodes{begin, end}.of(a).lpNorm<Eigen::Infinity>();
+        },
+        [](double one, double other) { return std::max(one, other); });
+}
 
 /// y += s x
 void add(double s, std::span<const double> x, std::span<double> y) {
-    Vector(y.data(), static_cast<Eigen::Index>(y.size())) += s * view(x);
+    over_ranges(x.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        const Nodes nodes{begin, end};
+        nodes.of(y) += s * nodes.of(x);
+    });
 }
 
 }  // namespace
@@ -44,8 +73,8 @@ Krylov::Krylov(int n) : past_(directions + 1), z_(static_cast<std::size_t>(n)) {
 Krylov::Result Krylov::solve(const Matrix& J, Factor& factor, std::span<const double> b, std::span<double> x,
                              std::span<double> residual, double tolerance, double relative_tolerance) {
     const std::span<double> r = residual;
-    std::copy(b.begin(), b.end(), r.begin());
-    std::fill(x.begin(), x.end(), 0.0);
+    copy_nodes(b, r);
+    fill_nodes(x, 0.0);
     Result result;
     const double tiny = round_off * largest(b);
     if (tiny == 0.0) {
@@ -60,26 +89,22 @@ Krylov::Result Krylov::solve(const Matrix& J, Factor& factor, std::span<const do
     const double wanted = std::max(tolerance, relative_tolerance * largest(z_));
     for (std::size_t k = 0; k < most_iterations; ++k) {
         Direction& now = past_[k % past_.size()];
-        std::copy(z_.begin(), z_.end(), now.p.begin());
+        copy_nodes(z_, now.p);
         J.multiply(now.p, now.Jp);
         if (k == 0) {
             // An exact factor is done here: looking at the residual saves the second solve.
             add(-1.0, now.Jp, r);
             if (largest(r) <= tiny) {
-                std::copy(now.p.begin(), now.p.end(), x.begin());
+                copy_nodes(now.p, x);
                 result.converged = true;
                 return result;
             }
-            std::copy(b.begin(), b.end(), r.begin());
+            copy_nodes(b, r);
         }
         factor.solve(now.Jp, now.s);
         ++result.solves;
         for (std::size_t back = 1; back <= std::min(k, memory); ++back) {
-            const Direction& old = past_[(k - back) % past_.size()];
-            const double overlap = dot(now.Jp, old.s) / old.length2;
-            add(-overlap, old.p, now.p);
-            add(-overlap, old.Jp, now.Jp);
-            add(-overlap, old.s, now.s);
+            make_orthogonal(now, past_[(k - back) % past_.size()]);
         }
         now.length2 = dot(now.Jp, now.s);
         if (!(now.length2 > 0.0) || !std::isfinite(now.length2)) {
@@ -89,15 +114,28 @@ Krylov::Result Krylov::solve(const Matrix& J, Factor& factor, std::span<const do
             smallest = std::min(smallest, now.length2 / energy);
         }
         const double step = dot(r, now.s) / now.length2;
-        add(step, now.p, x);
-        add(-step, now.Jp, r);
-        add(-step, now.s, z_);
+        over_ranges(r.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            const Nodes nodes{begin, end};
+            nodes.of(x) += step * nodes.of(now.p);
+            nodes.of(r) -= step * nodes.of(now.Jp);
+            nodes.of(z_) -= step * nodes.of(now.s);
+        });
         if (largest(z_) <= wanted * smallest || largest(r) <= tiny) {
             result.converged = true;
             return result;
         }
     }
     return result;
+}
+
+void Krylov::make_orthogonal(Direction& now, const Direction& old) {
+    const double overlap = dot(now.Jp, old.s) / old.length2;
+    over_ranges(now.p.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        const Nodes nodes{begin, end};
+        nodes.of(now.p) -= overlap * nodes.of(old.p);
+        nodes.of(now.Jp) -= overlap * nodes.of(old.Jp);
+        nodes.of(now.s) -= overlap * nodes.of(old.s);
+    });
 }
 
 }  // namespace tiretherm::solver

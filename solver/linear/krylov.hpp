@@ -45,6 +45,8 @@ private:
         std::vector<double> s;  ///< M^-1 J p
         double length2 = 0.0;   ///< Jp' s
     };
+    static void make_orthogonal(Direction& now, const Direction& old);
+
     std::vector<Direction> past_;
     std::vector<double> z_;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "mesh/index.hpp"
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::solver {
 
@@ -61,18 +62,16 @@ void Matrix::multiply(std::span<const double> x, std::span<double> y) const {
         return;
     }
     const Pattern& p = *pattern;
-    for (int i = 0; i < p.n; ++i) {
+    over_nodes(at(p.n), [&](std::size_t i) {
         double sum = 0.0;
-        for (int e = p.start[at(i)]; e < p.start[at(i) + 1]; ++e) {
-            sum += value[at(e)] * x[at(p.column[at(e)])];
+        for (std::size_t e = at(p.start[i]); e < at(p.start[i + 1]); ++e) {
+            sum += value[e] * x[at(p.column[e])];
         }
-        y[at(i)] = sum;
-    }
+        y[i] = sum;
+    });
     for (const Outer& term : outer) {
         const double mean = term.scale * (*term.mean)(x);
-        for (int i = 0; i < p.n; ++i) {
-            y[at(i)] += term.row[at(i)] * mean;
-        }
+        over_nodes(at(p.n), [&](std::size_t i) { y[i] += term.row[i] * mean; });
     }
 }
 

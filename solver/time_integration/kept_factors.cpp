@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/parallel.hpp"
+
 namespace tiretherm::solver {
 
 namespace {
@@ -75,7 +77,8 @@ std::string KeptFactors::renew(const Matrix& A, double s, std::span<const double
         return problem;
     }
     place->s = s;
-    place->compliance.assign(compliance.begin(), compliance.end());
+    place->compliance.resize(compliance.size());
+    copy_nodes(compliance, place->compliance);
     place->least_solves = place->least_corrections = 0;
     place->excess_solves = 0.0;
     return {};

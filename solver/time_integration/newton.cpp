@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/parallel.hpp"
 #include "solver/time_integration/stopwatch.hpp"
 
 namespace tiretherm::solver {
@@ -57,27 +58,23 @@ Newton::Newton(System& system)
 void Newton::find_residual(const Stage& stage, std::span<const double> T) {
     const std::span<const double> q = system_->heat_flow();
     if (stage.steady) {
-        std::fill(enthalpy_.begin(), enthalpy_.end(), 0.0);
+        fill_nodes(enthalpy_, 0.0);
     } else {
         system_->enthalpy(T, enthalpy_);
     }
-    for (std::size_t i = 0; i < residual_.size(); ++i) {
-        residual_[i] = stage.known[i] + stage.s * q[i] - enthalpy_[i];
-    }
+    over_nodes(residual_.size(), [&](std::size_t i) { residual_[i] = stage.known[i] + stage.s * q[i] - enthalpy_[i]; });
 }
 
 /// Largest residual over its diagonal: an estimate in kelvin that needs no solve. Also finds the worst node.
 double Newton::scaled_residual() {
     const Pattern& p = system_->pattern();
-    double worst = 0.0;
-    for (std::size_t i = 0; i < residual_.size(); ++i) {
-        const double scaled = std::abs(residual_[i]) / A_.value[static_cast<std::size_t>(p.diagonal[i])];
-        if (scaled > worst) {
-            worst = scaled;
-            now_.worst_node = static_cast<int>(i);
-        }
+    const Largest worst = largest_over_nodes(residual_.size(), [&](std::size_t i) {
+        return std::abs(residual_[i]) / A_.value[static_cast<std::size_t>(p.diagonal[i])];
+    });
+    if (worst.value > 0.0) {
+        now_.worst_node = static_cast<int>(worst.place);
     }
-    return worst;
+    return worst.value;
 }
 
 /// Factorises when there is no usable factor, when the step has changed too much for the old one, or when the solves
@@ -90,11 +87,11 @@ Status Newton::renew(const Stage& stage) {
     const Stopwatch watch(timed_ ? &now_.counters.factor_seconds : nullptr);
     ++now_.counters.factorisations;
     const physics::Terms& terms = system_->terms();
-    for (std::size_t i = 0; i < compliance_.size(); ++i) {
+    over_nodes(compliance_.size(), [&](std::size_t i) {
         compliance_[i] = system_->has_capacity(i)
                              ? 1.0 / system_->capacity(i, terms.temperature[i])
                              : stage.s / A_.value[static_cast<std::size_t>(system_->pattern().diagonal[i])];
-    }
+    });
     if (std::string problem = factors_.renew(A_, stage.s, compliance_); !problem.empty()) {
         return {Outcome::not_positive_definite, fmt::format("{}, at t = {:.6g} s", problem, stage.time)};
     }
@@ -147,15 +144,18 @@ void Newton::count_solves(const Krylov::Result& result) {
 
 /// A temperature below a fifth of the present one is an overshoot of the linear model, unless the balance is linear.
 void Newton::add_damped_correction(std::span<double> T, bool linear) const {
-    double damping = 1.0;
-    for (std::size_t i = 0; i < correction_.size() && !linear; ++i) {
-        if (correction_[i] < -0.8 * T[i]) {
-            damping = std::min(damping, -0.5 * T[i] / correction_[i]);
+    const auto damping_of = [&](std::size_t begin, std::size_t end) {
+        double damping = 1.0;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (correction_[i] < -0.8 * T[i]) {
+                damping = std::min(damping, -0.5 * T[i] / correction_[i]);
+            }
         }
-    }
-    for (std::size_t i = 0; i < correction_.size(); ++i) {
-        T[i] += damping * correction_[i];
-    }
+        return damping;
+    };
+    const auto smaller = [](double a, double b) { return std::min(a, b); };
+    const double damping = linear ? 1.0 : joined_over_ranges(correction_.size(), damping_of, smaller);
+    over_nodes(correction_.size(), [&](std::size_t i) { T[i] += damping * correction_[i]; });
 }
 
 /// One correction by Newton's method with the matrices of the iterate.

@@ -140,6 +140,7 @@ private:
         double weight = 0.0;      ///< J/K, what the balance of the whole mesh changes by when every temperature does
         double last_shift = 0.0;  ///< K, and the imbalance that it was for
         double last_joules = 0.0;
+        double sharpness = 1.0;  ///< of the iterated corrections' accuracy: below 1 where they must be better
         Counters counters;
     };
     State now_;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "mesh/parallel.hpp"
 #include "solver/time_integration/stopwatch.hpp"
 
 namespace tiretherm::solver {
@@ -17,8 +17,6 @@ constexpr double energy_closure = 1e-11;
 /// A move of all temperatures from which the slope of the balance is learnt whatever it is. K
 constexpr double smallest_learnt = 1e-9;
 
-double sum(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
 }  // namespace
 
 /// Whether the heat budget of the stage closes: the balance of the whole mesh, beside the heat turned over and the
@@ -28,7 +26,7 @@ bool Newton::closes_heat_budget(const Stage& stage) const {
     for (const double w : system_->terms().watts) {
         turnover += std::abs(w);
     }
-    return std::abs(system_->of_budget(residual_)) <= energy_closure * stage.s * turnover + 4e-16 * sum(enthalpy_);
+    return std::abs(system_->of_budget(residual_)) <= energy_closure * stage.s * turnover + 4e-16 * sum_of(enthalpy_);
 }
 
 /// Moves all temperatures alike until the heat budget closes. @returns false where that does not lead there
@@ -56,12 +54,12 @@ double Newton::polish(std::span<double> T) {
     J_.multiply(correction_, remainder_);
     const double left = system_->of_budget(residual_) - system_->of_budget(remainder_);
     const double shift = now_.weight != 0.0 ? left / now_.weight : 0.0;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < T.size(); ++i) {
-        T[i] += correction_[i] + shift;
-        largest = std::max(largest, std::abs(correction_[i] + shift));
-    }
-    return largest;
+    return largest_over_nodes(T.size(),
+                              [&](std::size_t i) {
+                                  T[i] += correction_[i] + shift;
+                                  return std::abs(correction_[i] + shift);
+                              })
+        .value;
 }
 
 /// Moves every temperature by the constant that closes the balance of the whole mesh, whose slope is learnt from one
@@ -76,9 +74,7 @@ double Newton::shift_all(std::span<double> T) {
     }
     now_.last_joules = joules;
     now_.last_shift = now_.weight != 0.0 ? joules / now_.weight : 0.0;
-    for (double& t : T) {
-        t += now_.last_shift;
-    }
+    over_nodes(T.size(), [&](std::size_t i) { T[i] += now_.last_shift; });
     return std::abs(now_.last_shift);
 }
 
@@ -87,12 +83,12 @@ double Newton::close_linearised_budget() {
     J_.multiply(ones_, J_ones_);
     now_.weight = system_->of_budget(J_ones_);
     const double shift = now_.weight != 0.0 ? system_->of_budget(remainder_) / now_.weight : 0.0;
-    double largest = 0.0;
-    for (double& change : correction_) {
-        change += shift;
-        largest = std::max(largest, std::abs(change));
-    }
-    return largest;
+    return largest_over_nodes(correction_.size(),
+                              [&](std::size_t i) {
+                                  correction_[i] += shift;
+                                  return std::abs(correction_[i]);
+                              })
+        .value;
 }
 
 }  // namespace tiretherm::solver

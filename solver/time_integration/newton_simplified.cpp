@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "mesh/parallel.hpp"
 #include "solver/time_integration/stopwatch.hpp"
 
 namespace tiretherm::solver {
@@ -21,6 +22,10 @@ constexpr double slow_contraction = 0.3;
 constexpr double slow_iterated = 0.6;
 /// A correction by iteration is found to this accuracy: the next one mends what A leaves out of the Jacobian as well.
 constexpr double accuracy_of_iteration = 0.03;
+/// That accuracy is one of the energy, in which cells much smaller than the others hardly weigh: where the corrections do not contract,
+/// it is sharpened by this factor, and the stages after it keep to that; twice at most.
+constexpr double sharpening = 0.1;
+constexpr double sharpest = 0.011;
 /// A guess whose error is below this share of the tolerance needs no correction: in a session at 1 kHz, most.
 constexpr double guess_share = 0.02;
 /// A correction this large is Newton's own business, which is damped. K
@@ -33,21 +38,23 @@ constexpr double far = 20.0;
 /// to its cell, is at most its residual over its own row beside that.
 double Newton::bound_of_error(double s) const {
     const std::span<const double> compliance = factors_.compliance();
-    std::array<double, 4> of_cells{};  // side by side, so that no comparison waits for the one before
-    double of_surfaces = 0.0;
     const auto cells = static_cast<std::size_t>(system_->problem().mesh.n_cells);
-    std::size_t i = 0;
-    for (; i + 4 <= cells; i += 4) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double bound = std::abs(residual_[i + k]) * compliance[i + k];
-            of_cells[k] = bound > of_cells[k] ? bound : of_cells[k];
+    const auto bound_of_range = [&](std::size_t begin, std::size_t end) {
+        std::array<double, 4> bounds{};  // side by side, so that no comparison waits for the one before
+        for (std::size_t i = begin; i < end; ++i) {
+            const double bound = std::abs(residual_[i]) * compliance[i];
+            bounds[i % 4] = bound > bounds[i % 4] ? bound : bounds[i % 4];
         }
-    }
-    for (; i < residual_.size(); ++i) {
-        double& bound = system_->has_capacity(i) ? of_cells[0] : of_surfaces;
+        return std::ranges::max(bounds);
+    };
+    const auto larger = [](double a, double b) { return std::max(a, b); };
+    double of_cells = joined_over_ranges(cells, bound_of_range, larger);
+    double of_surfaces = 0.0;
+    for (std::size_t i = cells; i < residual_.size(); ++i) {
+        double& bound = system_->has_capacity(i) ? of_cells : of_surfaces;
         bound = std::max(bound, std::abs(residual_[i]) * compliance[i]);
     }
-    return std::ranges::max(of_cells) + of_surfaces / s;
+    return of_cells + of_surfaces / s;
 }
 
 /// Surfaces without capacity follow their cells and what acts on them now, not when the factor was made: speed and load
@@ -77,7 +84,7 @@ void Newton::correct_surfaces(double s) {
 /// Corrections by the factor at hand alone, without matrices, while they contract; the system is left evaluated at T.
 bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
     const bool kept = factors_.current().is_exact();
-    double accuracy = accuracy_of_iteration;
+    double accuracy = now_.sharpness * accuracy_of_iteration;
     double before = 0.0;
     for (int correction = 1; correction <= (kept ? most_simplified : most_iterated); ++correction) {
         if (!evaluate(stage, T).ok()) {
@@ -105,16 +112,14 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
             }
             correct_surfaces(stage.s);
         }
-        double size = 0.0;
-        for (const double change : correction_) {
-            size = std::max(size, std::abs(change));
-        }
-        if (!(size < far) || (correction > 1 && size > (kept ? slow_contraction : slow_iterated) * before)) {
+        const double size =
+            largest_over_nodes(correction_.size(), [&](std::size_t i) { return std::abs(correction_[i]); }).value;
+        const bool slow = correction > 1 && size > (kept ? slow_contraction : slow_iterated) * before;
+        if (!(size < far) || (slow && (kept || now_.sharpness < sharpest))) {
             return false;
         }
-        for (std::size_t i = 0; i < T.size(); ++i) {
-            T[i] += correction_[i];
-        }
+        now_.sharpness *= slow ? sharpening : 1.0;
+        over_nodes(T.size(), [&](std::size_t i) { T[i] += correction_[i]; });
         if (correction > 1 && size * size / before <= stage.tolerance) {
             if (!evaluate(stage, T).ok()) {
                 return false;
@@ -126,7 +131,7 @@ bool Newton::correct_simplified(const Stage& stage, std::span<double> T) {
         }
         // What the next correction will be is known by its size: it need be no more accurate than the tolerance asks for.
         const double next = correction > 1 ? size * size / before : size * accuracy_of_iteration;
-        accuracy = std::clamp(0.5 * stage.tolerance / next, accuracy_of_iteration, 0.5);
+        accuracy = now_.sharpness * std::clamp(0.5 * stage.tolerance / next, accuracy_of_iteration, 0.5);
         before = size;
     }
     return false;
@@ -146,14 +151,14 @@ bool Newton::solve_simplified(const Stage& stage, std::span<double> T) {
     if (stage.steady || (factors_.current().is_exact() && (!factors_.select(stage.s) || factors_.is_worn_out()))) {
         return false;
     }
-    std::ranges::copy(T, guess_.begin());
+    copy_nodes(T, guess_);
     const long before = now_.counters.newton_iterations;
     const bool solved = correct_simplified(stage, T) && (!stage.closed || close_by_shifts(stage, T));
     factors_.count_corrections(static_cast<int>(now_.counters.newton_iterations - before));
     if (solved) {
         return true;
     }
-    std::ranges::copy(guess_, T.begin());
+    copy_nodes(guess_, T);
     factors_.wear_out();
     return false;
 }

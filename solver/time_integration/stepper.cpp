@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "mesh/index.hpp"
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::solver {
 
@@ -17,9 +18,7 @@ namespace {
 
 /// y += factor x
 void add(double factor, std::span<const double> x, std::span<double> y) {
-    for (std::size_t n = 0; n < y.size(); ++n) {
-        y[n] += factor * x[n];
-    }
+    over_nodes(y.size(), [&](std::size_t n) { y[n] += factor * x[n]; });
 }
 
 /// Newton's tolerance beside the tolerance of a step: small enough that the error estimate does not see it.
@@ -69,7 +68,7 @@ Stepper::Stepper(const Problem& problem, KeptForcing* kept)
 
 void Stepper::update_heat_budget(int stage) {
     const std::span<const double> q = system_.heat_flow();
-    std::copy(q.begin(), q.end(), q_[at(stage)].begin());
+    copy_nodes(q, q_[at(stage)]);
     stage_watts_[at(stage)] = system_.terms().watts;
 }
 
@@ -79,25 +78,25 @@ void Stepper::predict(int stage, double dt) {
     std::vector<double>& guess = T_[at(stage) + 1];
     const std::vector<double>& now = T_[1];
     if (stage == 1) {
-        guess = now;
+        copy_nodes(now, guess);
         const double width = now_.time - now_.step_begin;
         const double c = tableau_->c[at(tableau_->stages) - 2];
         if (now_.has_history && width > 0.0) {
             const double rate = tableau_->c[1] * dt / ((1.0 - c) * width);
             const std::vector<double>& before = now_.last[at(tableau_->stages) - 2];
             const std::vector<double>& end = now_.last[at(tableau_->stages) - 1];
-            for (std::size_t i = 0; i < guess.size(); ++i) {
+            over_nodes(guess.size(), [&](std::size_t i) {
                 const double onward = guess[i] + rate * (end[i] - before[i]);
                 guess[i] = onward > 0.2 * guess[i] ? onward : guess[i];
-            }
+            });
         }
         return;
     }
     const double rate = tableau_->c[at(stage)] / tableau_->c[1];
-    for (std::size_t i = 0; i < guess.size(); ++i) {
+    over_nodes(guess.size(), [&](std::size_t i) {
         const double onward = now[i] + rate * (T_[2][i] - now[i]);
         guess[i] = onward > 0.2 * now[i] ? onward : now[i];
-    }
+    });
 }
 
 Stepper::Attempt Stepper::attempt(double t1, bool closed) {
@@ -116,9 +115,9 @@ Stepper::Attempt Stepper::attempt_in_window(double t1, bool closed) {
 
     // The explicit stage. Where the inputs go on as they were, it is the last stage of the step before; otherwise the
     // surface nodes first follow the inputs, which may have jumped.
-    T_[1] = T_[0];
+    copy_nodes(T_[0], T_[1]);
     if (now_.end_is_known && std::ranges::equal(forcing_.stage(0), now_.end_coefficients)) {
-        q_[0] = now_.end_q;
+        copy_nodes(now_.end_q, q_[0]);
         stage_watts_[0] = now_.end_watts;
         return attempt_stages(dt, closed);
     }
@@ -143,12 +142,13 @@ Stepper::Attempt Stepper::attempt_stages(double dt, bool closed) {
 
     for (int i = 1; i < tableau_->stages; ++i) {
         predict(i, dt);
-        for (std::size_t n = 0; n < known_.size(); ++n) {
-            known_[n] = H_[n] + now_.left[n];
-        }
-        for (int j = 0; j < i; ++j) {
-            add(dt * tableau_->a[at(i)][at(j)], q_[at(j)], known_);
-        }
+        over_nodes(known_.size(), [&](std::size_t n) {
+            double known = H_[n] + now_.left[n];
+            for (int j = 0; j < i; ++j) {
+                known += dt * tableau_->a[at(i)][at(j)] * q_[at(j)][n];
+            }
+            known_[n] = known;
+        });
         Status status = newton_.solve({.s = dt * tableau_->diagonal,
                                        .known = known_,
                                        .coefficients = forcing_.stage(i),
@@ -169,10 +169,9 @@ Stepper::Attempt Stepper::attempt_stages(double dt, bool closed) {
 
 double Stepper::largest_filtered() {
     newton_.filter(error_heat_, error_);
-    const auto most =
-        std::max_element(error_.begin(), error_.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    now_.worst_node = static_cast<int>(most - error_.begin());
-    return std::abs(*most);
+    const Largest most = largest_over_nodes(error_.size(), [&](std::size_t n) { return std::abs(error_[n]); });
+    now_.worst_node = static_cast<int>(most.place);
+    return most.value;
 }
 
 /// What the line through a rough log leaves out. Needs no stage: where a factor is at hand, it is the cheapest reason to
@@ -183,17 +182,18 @@ double Stepper::estimate_left_out(double dt) {
     }
     system_.evaluate(T_[1], forcing_.unresolved());
     const std::span<const double> q = system_.heat_flow();
-    for (std::size_t n = 0; n < error_heat_.size(); ++n) {
-        error_heat_[n] = dt * (q[n] - q_[0][n]);
-    }
+    over_nodes(error_heat_.size(), [&](std::size_t n) { error_heat_[n] = dt * (q[n] - q_[0][n]); });
     return largest_filtered();
 }
 
 double Stepper::estimate_error(double dt) {
-    std::fill(error_heat_.begin(), error_heat_.end(), 0.0);
-    for (int i = 0; i < tableau_->stages; ++i) {
-        add(dt * tableau_->error[at(i)], q_[at(i)], error_heat_);
-    }
+    over_nodes(error_heat_.size(), [&](std::size_t n) {
+        double heat = 0.0;
+        for (int i = 0; i < tableau_->stages; ++i) {
+            heat += dt * tableau_->error[at(i)] * q_[at(i)][n];
+        }
+        error_heat_[n] = heat;
+    });
     for (std::size_t n = at(problem_->mesh.n_cells); n < error_heat_.size(); ++n) {
         error_heat_[n] = system_.has_capacity(n) ? error_heat_[n] : 0.0;
     }
@@ -213,16 +213,16 @@ void Stepper::accept() {
             now_.joules[e] += joules;
             now_.turnover += std::abs(joules);
         }
-        now_.last[at(i)] = T_[at(i) + 1];
+        copy_nodes(T_[at(i) + 1], now_.last[at(i)]);
     }
     now_.watts = stage_watts_.back();
-    T_[0] = T_.back();
-    std::ranges::copy(newton_.left(), now_.left.begin());
+    copy_nodes(T_.back(), T_[0]);
+    copy_nodes(newton_.left(), now_.left);
     for (const auto& [surface, cell] : takers_) {
         now_.left[cell] += now_.left[surface];
         now_.left[surface] = 0.0;
     }
-    now_.end_q = q_.back();
+    copy_nodes(q_.back(), now_.end_q);
     now_.end_watts = stage_watts_.back();
     std::ranges::copy(forcing_.stage(tableau_->stages - 1), now_.end_coefficients.begin());
     now_.end_is_known = true;
@@ -248,7 +248,7 @@ void Stepper::interpolate_watts(double t, std::span<double> watts) const { inter
 
 void Stepper::interpolate(double t, const std::vector<std::vector<double>>& stages, std::span<double> out) const {
     const double x = (t - now_.step_begin) / (now_.time - now_.step_begin);
-    std::fill(out.begin(), out.end(), 0.0);
+    fill_nodes(out, 0.0);
     for (int i = 0; i < tableau_->stages; ++i) {
         double basis = 1.0;
         for (int j = 0; j < tableau_->stages; ++j) {

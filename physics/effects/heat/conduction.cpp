@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/parallel.hpp"
 #include "physics/effect.hpp"
 
 namespace tiretherm::physics::effects {
@@ -69,7 +70,7 @@ struct Extent {
 };
 
 /// Of four runs through the field at once, so that no comparison waits for the one before.
-Extent extent_of(std::span<const double> T) {
+Extent extent_of_range(std::span<const double> T) {
     std::array<double, 4> low;
     low.fill(T.front());
     std::array<double, 4> high = low;
@@ -87,6 +88,14 @@ Extent extent_of(std::span<const double> T) {
     return {std::ranges::min(low), std::ranges::max(high)};
 }
 
+Extent extent_of(std::span<const double> T) {
+    return joined_over_ranges(
+        T.size(), [&](std::size_t begin, std::size_t end) { return extent_of_range(T.subspan(begin, end - begin)); },
+        [](const Extent& a, const Extent& b) {
+            return Extent{std::min(a.low, b.low), std::max(a.high, b.high)};
+        });
+}
+
 /// Faces inside one material whose law is one quadratic over the whole field: the bulk of the work of a section, without
 /// a branch. The mean and its slopes are those of Curve::mean.
 void add_quadratic_inside(const EvaluationState& m, std::size_t begin, std::size_t end, const Curve& k, Terms& terms) {
@@ -99,26 +108,33 @@ void add_quadratic_inside(const EvaluationState& m, std::size_t begin, std::size
     double* const G = terms.face_G.data();
     double* const of_a = terms.face_dq_dTa.data();
     double* const of_b = terms.face_dq_dTb.data();
-    double smallest = 0.0;
-    if (k.is_constant()) {
-        for (std::size_t i = begin; i < end; ++i) {
+    const auto add_constant = [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = begin + first; i < begin + last; ++i) {
             G[place[3 * i]] += weight[i] * c0;
         }
-        smallest = c0;
-    }
-    for (std::size_t i = begin; i < end && !k.is_constant(); ++i) {
-        const int f = place[3 * i];
-        const double a = T[place[3 * i + 1]];
-        const double b = T[place[3 * i + 2]];
-        const double value = weight[i] * (c0 + half * (a + b) + third * (a * a + a * b + b * b));
-        const double drop = weight[i] * (b - a);
-        G[f] += value;
-        of_a[f] += (half + third * (2.0 * a + b)) * drop;
-        of_b[f] += (half + third * (a + 2.0 * b)) * drop;
-        smallest = value < smallest ? value : smallest;
-    }
+        return c0;
+    };
+    const auto add_varying = [&](std::size_t first, std::size_t last) {
+        double smallest = 0.0;
+        for (std::size_t i = begin + first; i < begin + last; ++i) {
+            const int f = place[3 * i];
+            const double a = T[place[3 * i + 1]];
+            const double b = T[place[3 * i + 2]];
+            const double value = weight[i] * (c0 + half * (a + b) + third * (a * a + a * b + b * b));
+            const double drop = weight[i] * (b - a);
+            G[f] += value;
+            of_a[f] += (half + third * (2.0 * a + b)) * drop;
+            of_b[f] += (half + third * (a + 2.0 * b)) * drop;
+            smallest = value < smallest ? value : smallest;
+        }
+        return smallest;
+    };
+    const auto smaller = [](double a, double b) { return std::min(a, b); };
+    const double smallest = k.is_constant() ? joined_over_ranges(end - begin, add_constant, smaller)
+                                            : joined_over_ranges(end - begin, add_varying, smaller);
     terms.faces_used = true;
-    terms.nonlinear = terms.nonlinear || half != 0.0 || third != 0.0;
+    terms.faces_vary = terms.faces_vary || half != 0.0 || third != 0.0;
+    terms.nonlinear = terms.nonlinear || terms.faces_vary;
     for (std::size_t i = begin; smallest < 0.0 && i < end; ++i) {
         terms.note_negative_face(place[3 * i]);
     }

@@ -3,14 +3,13 @@
 
 #include "hidden_effects/exam/exam_evaluation.hpp"
 
-#include <atomic>
 #include <ctime>
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include "input/measurements/measured_bench.hpp"
+#include "mesh/parallel.hpp"
 
 namespace hidden_effects {
 
@@ -88,23 +87,15 @@ diagnosis::Diagnosis diagnose_data_set(const ExamDataSet& data_set, diagnosis::D
 std::vector<Mark> evaluate(const std::vector<DataSetSpec>& specs, int threads, double interval,
                            const std::function<void(const Mark&)>& on_marked) {
     std::vector<Mark> marks(specs.size());
-    std::atomic<std::size_t> next{0};
     std::mutex reporting;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < specs.size(); i = next++) {
-            marks[i] = evaluate_one(specs[i], interval);
-            if (on_marked) {
-                const std::scoped_lock lock(reporting);
-                on_marked(marks[i]);
-            }
+    const auto mark = [&](std::size_t i) {
+        marks[i] = evaluate_one(specs[i], interval);
+        if (on_marked) {
+            const std::scoped_lock lock(reporting);
+            on_marked(marks[i]);
         }
     };
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) {
-        others.emplace_back(work);
-    }
-    work();
-    others.clear();  // waits for them
+    tiretherm::in_parallel(specs.size(), mark, static_cast<unsigned>(threads));
     return marks;
 }
 

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Threads, by OpenMP: independent tasks, each begun when a thread is free; and loops over the nodes of one large mesh. Whoever
+// works in threads does it by these functions, so that what is nested is decided here: inside a task no loop is split.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <span>
+
+#include <omp.h>
+
+namespace tiretherm {
+
+/// Threads for n tasks. @param wanted 0: as many as OpenMP gives (OMP_NUM_THREADS, or all cores)
+[[nodiscard]] inline int threads_for(std::size_t n, unsigned wanted = 0) {
+    const auto most = wanted > 0 ? wanted : static_cast<std::size_t>(omp_get_max_threads());
+    return static_cast<int>(std::clamp<std::size_t>(n, 1, most));
+}
+
+/// Does something n times, several at a time, each begun when a thread is free, in the order of its number. What it throws
+/// first is thrown here when all that had been begun has ended; nothing more is begun then. Where there is one thread for
+/// all because there is one task, the task may split its loops.
+/// @param threads as in `threads_for`; more are not used inside the tasks either
+template <typename Work>
+void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr thrown;
+    const auto work_on = [&] {
+        for (std::size_t i = next++; i < n; i = next++) {
+            try {
+                work(i);
+            } catch (...) {
+#pragma omp critical(tiretherm_thrown)
+                thrown = thrown ? thrown : std::current_exception();
+                next = n;
+            }
+        }
+    };
+    const int team = threads_for(n, threads);
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(threads > 0 ? static_cast<int>(threads) : before);
+    if (team == 1) {
+        work_on();
+    } else {
+#pragma omp parallel num_threads(team)
+        work_on();
+    }
+    omp_set_num_threads(before);
+    if (thrown) {
+        std::rethrow_exception(thrown);
+    }
+}
+
+/// A loop is cut into at most this many ranges, of at least so many nodes each: by its length alone, so that a sum has the same
+/// digits for any number of threads.
+constexpr std::size_t most_ranges = 32;
+constexpr std::size_t least_of_range = 2048;
+/// Below this length the ranges are one thread's: waking another one costs more than it takes over.
+constexpr std::size_t least_shared = 16 * least_of_range;
+
+[[nodiscard]] constexpr std::size_t ranges_of(std::size_t n) {
+    return std::clamp<std::size_t>(n / least_of_range, 1, most_ranges);
+}
+
+/// Lets a thread that waits for others sleep after some microseconds, unless OMP_WAIT_POLICY or GOMP_SPINCOUNT says how it waits.
+void keep_waiting_short();
+
+/// Calls body(i) for i from begin to end, each by any thread. What it throws ends the program.
+/// @param shared whether other threads may help
+template <typename Body>
+void split_loop(std::size_t begin, std::size_t end, bool shared, const Body& body) {
+    if (shared && end - begin > 1 && omp_in_parallel() == 0 && omp_get_max_threads() > 1) {
+        keep_waiting_short();
+#pragma omp parallel for schedule(static)
+        for (std::size_t i = begin; i < end; ++i) {
+            body(i);
+        }
+        return;
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+        body(i);
+    }
+}
+
+/// Calls body(range, begin, end) for all ranges of 0 to n.
+template <typename Body>
+void over_ranges(std::size_t n, const Body& body) {
+    const std::size_t ranges = ranges_of(n);
+    split_loop(0, ranges, n >= least_shared, [&](std::size_t k) { body(k, k * n / ranges, (k + 1) * n / ranges); });
+}
+
+/// Calls body(i) for i from 0 to n, in ranges.
+template <typename Body>
+void over_nodes(std::size_t n, const Body& body) {
+    over_ranges(n, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            body(i);
+        }
+    });
+}
+
+/// What range(begin, end) gives of each range, joined in the order of the ranges.
+template <typename Range, typename Join>
+[[nodiscard]] auto joined_over_ranges(std::size_t n, const Range& range, const Join& join) {
+    std::array<decltype(range(n, n)), most_ranges> of_range{};
+    over_ranges(n, [&](std::size_t k, std::size_t begin, std::size_t end) { of_range[k] = range(begin, end); });
+    auto all = of_range[0];
+    for (std::size_t k = 1; k < ranges_of(n); ++k) {
+        all = join(all, of_range[k]);
+    }
+    return all;
+}
+
+template <typename Range>
+[[nodiscard]] double sum_over_ranges(std::size_t n, const Range& range) {
+    return joined_over_ranges(n, range, [](double a, double b) { return a + b; });
+}
+
+/// Sum of term(i) for i from 0 to n, range by range.
+template <typename Term>
+[[nodiscard]] double sum_over_nodes(std::size_t n, const Term& term) {
+    return sum_over_ranges(n, [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t i = begin; i < end; ++i) {
+            sum += term(i);
+        }
+        return sum;
+    });
+}
+
+[[nodiscard]] inline double sum_of(std::span<const double> values) {
+    return sum_over_nodes(values.size(), [&](std::size_t i) { return values[i]; });
+}
+
+/// The largest of a row of values, and the first place where it is.
+struct Largest {
+    double value = 0.0;
+    std::size_t place = 0;
+};
+
+/// The largest value(i) >= 0 for i from 0 to n; what is no number is passed over.
+template <typename Value>
+[[nodiscard]] Largest largest_over_nodes(std::size_t n, const Value& value) {
+    const auto of_range = [&](std::size_t begin, std::size_t end) {
+        Largest most{0.0, begin};
+        for (std::size_t i = begin; i < end; ++i) {
+            const double here = value(i);
+            most = here > most.value ? Largest{here, i} : most;
+        }
+        return most;
+    };
+    return joined_over_ranges(n, of_range, [](Largest a, Largest b) { return b.value > a.value ? b : a; });
+}
+
+/// @pre of one length
+inline void copy_nodes(std::span<const double> from, std::span<double> to) {
+    over_ranges(from.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        std::copy_n(from.data() + begin, end - begin, to.data() + begin);
+    });
+}
+
+inline void fill_nodes(std::span<double> values, double value) {
+    over_ranges(values.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        std::fill_n(values.data() + begin, end - begin, value);
+    });
+}
+
+}  // namespace tiretherm

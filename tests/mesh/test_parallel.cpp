@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loops and tasks in threads: sums have the same digits for any number of threads, what is thrown comes out, and what is nested
+// stays on its thread.
+
+#include "mesh/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace tiretherm {
+namespace {
+
+/// Gives the number of threads back that was.
+struct Threads {
+    explicit Threads(int n) { omp_set_num_threads(n); }
+    Threads(const Threads&) = delete;
+    Threads& operator=(const Threads&) = delete;
+    ~Threads() { omp_set_num_threads(before); }
+    int before = omp_get_max_threads();
+};
+
+/// 1, 1/2, 1/3 ...: summed up in another order, they have other last digits.
+std::vector<double> harmonic(std::size_t n) {
+    std::vector<double> terms(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        terms[i] = 1.0 / static_cast<double>(i + 1);
+    }
+    return terms;
+}
+
+/// Threads that take part in a long loop.
+std::size_t threads_of_loop() {
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    over_ranges(100 * least_of_range, [&](std::size_t, std::size_t, std::size_t) {
+        const std::scoped_lock lock(mutex);
+        threads.insert(std::this_thread::get_id());
+    });
+    return threads.size();
+}
+
+TEST(Parallel, SumsHaveTheSameDigitsForAnyNumberOfThreads) {
+    // ln n + 0.5772... + 1/2n is the sum to 1/12n2; all numbers are below 12, so that 1e5 additions err by less than 1e-10.
+    const std::vector<double> terms = harmonic(100000);
+    std::set<double> sums;
+    for (const int threads : {1, 2, 3, 5}) {
+        const Threads now(threads);
+        sums.insert(sum_of(terms));
+    }
+    ASSERT_EQ(sums.size(), 1U);
+    EXPECT_NEAR(*sums.begin(), std::log(1e5) + 0.57721566490153286 + 0.5e-5, 1e-10);
+    EXPECT_NE(*sums.begin(), std::accumulate(terms.begin(), terms.end(), 0.0));  // else the order would not show
+}
+
+TEST(Parallel, LargestIsTheFirstOfThoseThatAreEqual) {
+    std::vector<double> values(50000, 1.0);
+    values[700] = values[40000] = 2.0;
+    const Threads now(3);
+    const Largest most = largest_over_nodes(values.size(), [&](std::size_t i) { return values[i]; });
+    EXPECT_EQ(most.value, 2.0);
+    EXPECT_EQ(most.place, 700U);
+}
+
+TEST(Parallel, EveryNodeIsVisitedOnce) {
+    const Threads now(3);
+    for (const std::size_t n : {0UL, 1UL, least_of_range, least_shared - 1, least_shared, 123457UL}) {
+        std::vector<int> visits(n);
+        over_nodes(n, [&](std::size_t i) { ++visits[i]; });
+        EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), std::ssize(visits)) << n;
+    }
+}
+
+TEST(Parallel, WhatATaskThrowsComesOutAndNothingMoreIsBegun) {
+    for (const unsigned threads : {1U, 2U, 3U}) {
+        std::atomic<int> begun = 0;
+        const auto work = [&](std::size_t i) {
+            ++begun;
+            if (i == 4) {
+                throw std::runtime_error("the fifth");
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        };
+        try {
+            in_parallel(1000, work, threads);
+            ADD_FAILURE() << "nothing was thrown";
+        } catch (const std::runtime_error& error) {
+            EXPECT_STREQ(error.what(), "the fifth");
+        }
+        // All before it, it, and what the other threads had begun or were about to while it was thrown.
+        EXPECT_GE(begun, 5);
+        EXPECT_LT(begun, 100);
+    }
+}
+
+TEST(Parallel, LoopInsideATaskStaysOnItsThread) {
+    std::vector<std::size_t> threads(2);
+    in_parallel(
+        2, [&](std::size_t i) { threads[i] = threads_of_loop(); }, 2);
+    EXPECT_EQ(threads, (std::vector<std::size_t>{1, 1}));
+}
+
+TEST(Parallel, TheThreadsThatAreAskedForAreForATaskThatIsAlone) {
+    const Threads now(3);
+    std::size_t threads = 0;
+    const auto count = [&](std::size_t) { threads = threads_of_loop(); };
+    in_parallel(1, count, 2);
+    EXPECT_EQ(threads, 2U);
+    in_parallel(4, count, 1);
+    EXPECT_EQ(threads, 1U);
+    EXPECT_EQ(threads_of_loop(), 3U);
+    EXPECT_EQ(threads_for(10), 3);
+    EXPECT_EQ(threads_for(2, 8), 2);
+    EXPECT_EQ(threads_for(0, 8), 1);
+}
+
+}  // namespace
+}  // namespace tiretherm
