@@ -42,7 +42,7 @@ void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
     const int team = threads_for(n, threads);
     const int before = omp_get_max_threads();
     omp_set_num_threads(threads > 0 ? static_cast<int>(threads) : before);
-    if (team == 1) {
+    if (team == 1) {  // NOLINT(bugprone-branch-clone): the other branch is a parallel region
         work_on();
     } else {
 #pragma omp parallel num_threads(team)

@@ -17,8 +17,9 @@ std::unique_ptr<VtkGrid> make_vtk_grid(const VtkGridParts& parts) {
         void* library = dlopen(module, RTLD_NOW | RTLD_LOCAL);
         void* symbol = library != nullptr ? dlsym(library, "tiretherm_make_vtk_grid") : nullptr;
         if (symbol == nullptr) {
-            throw std::runtime_error(
-                fmt::format("files for ParaView cannot be written: {}; install it again, or leave them out with --no-vtk", dlerror()));
+            throw std::runtime_error(fmt::format(
+                "files for ParaView cannot be written: {}; install it again, or leave them out with --no-vtk",
+                dlerror()));
         }
         return reinterpret_cast<Make>(symbol);
     }();

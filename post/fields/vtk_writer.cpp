@@ -88,14 +88,12 @@ void VtkWriter::write(double time, std::span<const double> temperature) {
         return static_cast<float>(celsius);
     };
     hottest_time_ = end_ = time;  // until the run says otherwise
-    std::ranges::transform(whole_.cell, grid_->in_cells().begin(), [&](int cell) {
-        return see(celsius(temperature[static_cast<std::size_t>(cell)]));
-    });
+    std::ranges::transform(whole_.cell, grid_->in_cells().begin(),
+                           [&](int cell) { return see(celsius(temperature[static_cast<std::size_t>(cell)])); });
     if (drawn_.exists()) {
         const std::vector<double> at_points = drawn_.at_points(temperature);
-        std::ranges::transform(whole_.point, grid_->at_points().begin(), [&](int point) {
-            return see(celsius(at_points[static_cast<std::size_t>(point)]));
-        });
+        std::ranges::transform(whole_.point, grid_->at_points().begin(),
+                               [&](int point) { return see(celsius(at_points[static_cast<std::size_t>(point)])); });
     }
     replace_file(directory_ / field_name(times_.size()), grid_->file_text(time));
     times_.push_back(time);
