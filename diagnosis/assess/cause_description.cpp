@@ -94,11 +94,20 @@ bool Cause::may_be_absent() const {
 }
 
 bool withdraw_what_may_be_absent(Diagnosis& diagnosis) {
+    // A mesh has no number: beside causes that may all be absent it proves nothing either.
     const auto may_be_absent = [&](const std::vector<std::size_t>& member) {
-        return std::ranges::all_of(member, [&](std::size_t cause) { return diagnosis.causes[cause].may_be_absent(); });
+        const auto has_number = [&](std::size_t cause) { return !diagnosis.causes[cause].numbers.empty(); };
+        return std::ranges::any_of(member, has_number) && std::ranges::all_of(member, [&](std::size_t cause) {
+                   return !has_number(cause) || diagnosis.causes[cause].may_be_absent();
+               });
     };
-    if (diagnosis.hypotheses.empty() || !diagnosis.gain.measured || diagnosis.gain.confirmed ||
+    if (diagnosis.hypotheses.empty() || !diagnosis.gain.measured ||
         !std::ranges::all_of(diagnosis.hypotheses, may_be_absent)) {
+        return false;
+    }
+    // Blocks of a single recording have predicted each other, and no other recording.
+    diagnosis.gain.confirmed = diagnosis.gain.confirmed && !diagnosis.gain.within_run;
+    if (diagnosis.gain.confirmed) {
         return false;
     }
     std::vector<std::string> names;

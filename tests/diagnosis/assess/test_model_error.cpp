@@ -81,6 +81,24 @@ TEST(ModelError, WhatIsPresentOrConfirmedStands) {
     EXPECT_EQ(confirmed.verdict, Verdict::partial);
 }
 
+// Blocks of one recording predicted each other, with a number that may be none; beside it a mesh, which has no number.
+TEST(ModelError, OfASingleRecordingWhatMayBeAbsentIsNoAnswerThoughConfirmed) {
+    for (const bool has_mesh : {false, true}) {
+        Diagnosis found = with_one_cause(-18.0, 7.0);
+        found.gain.confirmed = found.gain.within_run = true;
+        if (has_mesh) {
+            found.causes.push_back({.id = "mesh", .in_set = true});
+            found.hypotheses.front().push_back(1);
+        }
+        ASSERT_TRUE(withdraw_what_may_be_absent(found));
+        EXPECT_EQ(found.verdict, Verdict::cannot_tell);
+        EXPECT_FALSE(found.gain.confirmed);
+    }
+    Diagnosis mesh_alone = with_one_cause(-18.0, 7.0);
+    mesh_alone.causes.front().numbers.clear();
+    EXPECT_FALSE(withdraw_what_may_be_absent(mesh_alone));
+}
+
 // Two members of a set that data cannot tell apart put the first number at 1 and at 3, each known to 0.5: it lies between
 // 1 - 1.959964 x 0.5 and 3 + 1.959964 x 0.5. They agree on the second, 2: 2 +- 0.979982.
 TEST(ModelError, AFreeNumberReachesToWhatEveryMemberOfTheSetMakesOfIt) {
