@@ -13,23 +13,22 @@ namespace {
 enum : std::size_t { rate };
 
 constexpr std::array parameters{
-    ParameterSpec{"rate", "s h-1", 0.0, -1000.0, 1000.0, "how much later the channel is written for each hour", false,
-                  0.0},
+    ParameterSpec{"rate", "1", 0.0, -0.3, 0.3,
+                  "share of the time by which the channel falls behind; 0.001: 3.6 s in an hour", false, 0.0},
 };
 constexpr std::array confounded{ConfoundedGroup{
     {"clock_rate", "clock_delay"},
     "one sharp event at the start and one at the end of a run: a delay moves both by the same, a rate the "
     "later one more"}};
 constexpr std::array plausible{
-    PlausibleRange{
-        "rate", -20.0, 20.0,
-        "quartz clocks 0.4 s an hour (100 ppm), loggers that count samples of a nominal rate up to 0.5 %; assumed",
-        "no clock in order is that wrong: compare both logs' lengths"},
+    PlausibleRange{"rate", -0.005, 0.005,
+                   "quartz clocks 1e-4, loggers that count samples of a nominal rate up to 0.5 %; assumed",
+                   "no clock in order is that wrong: compare both logs' lengths"},
 };
 constexpr std::array scopes{Scope::channel};
 
 double clock_rate_of(const ActiveEffect& active, std::size_t position) {
-    return active.at(rate, Scope::channel, active.channels[position]) / 3600.0;
+    return active.at(rate, Scope::channel, active.channels[position]);
 }
 
 }  // namespace

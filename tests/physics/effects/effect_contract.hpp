@@ -39,7 +39,7 @@ inline Part loud(std::string_view id) {
                                          {"sidewall_convection", {{"h", 40.0}}},
                                          {"sensor_depth", {{"offset", 0.001}}},
                                          {"clock_delay", {{"delay", 0.5}}},
-                                         {"clock_rate", {{"rate", 30.0}}},
+                                         {"clock_rate", {{"rate", 0.01}}},
                                          {"sensor_offset", {{"kelvin", 1.0}}},
                                          {"sensor_gain", {{"excess", 0.05}}},
                                          {"sensor_drift", {{"rate", 5.0}}},

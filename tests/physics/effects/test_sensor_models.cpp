@@ -105,8 +105,8 @@ TEST(ClockDelay, ReadsAnEarlierTime) {
 
 TEST(ClockRate, ReadsLaterAndLater) {
     // 0.1 s for each second, of 60 s on a ramp: what was there at 54 s, or at 66 s.
-    EXPECT_NEAR(final_reading({{"clock_rate", {{"rate", 360.0}}}}), 300.0 + sampling_rate * 54.0, 1e-9);
-    EXPECT_NEAR(final_reading({{"clock_rate", {{"rate", -360.0}}}}), 300.0 + sampling_rate * 66.0, 1e-9);
+    EXPECT_NEAR(final_reading({{"clock_rate", {{"rate", 0.1}}}}), 300.0 + sampling_rate * 54.0, 1e-9);
+    EXPECT_NEAR(final_reading({{"clock_rate", {{"rate", -0.1}}}}), 300.0 + sampling_rate * 66.0, 1e-9);
 }
 
 TEST(SensorDepth, ReadsDeeper) {

@@ -41,7 +41,7 @@ Problem tire() {
     problem.effects.back().channels = {1};
     support::switch_on(problem, "clock_delay", {{"delay", 7.0}});
     problem.effects.back().channels = {0};
-    support::switch_on(problem, "clock_rate", {{"rate", 72.0}});
+    support::switch_on(problem, "clock_rate", {{"rate", 0.02}});
     problem.effects.back().channels = {0};
     problem.settings.end = 300.0;
     return problem;
