@@ -59,7 +59,7 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
     const Diagnoses diagnoses;
     const Call page = diagnoses.diagnose(diagnosed_bench, puzzle);
     ASSERT_EQ(page.exit_code, 0) << page.err;
-    EXPECT_EQ(page.err, "");
+    EXPECT_FALSE(has_text(page.err, "tiretherm:")) << page.err;  // how far it is, on a slow machine
     EXPECT_FALSE(has_text(page.out, "\033"));
     // 2 numbers of effects and 2 starts for each of 3 runs; 601 samples of 2 channels in each
     EXPECT_TRUE(
