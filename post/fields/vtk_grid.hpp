@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A grid as a VTK file. VTK is in a module of its own that is opened for the first grid: it is made of 25 libraries, which would cost
-// every start of the program 10 ms.
+// A grid as a VTK file. VTK is in a module of its own that is opened for the first grid: it brings some 20 libraries, which would
+// be loaded at every start of the program.
 #pragma once
 
 #include <cstddef>
