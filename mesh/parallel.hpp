@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads, by OpenMP: independent tasks, each begun when a thread is free; and loops over the nodes of one large mesh. Whoever
-// works in threads does it by these functions, so that what is nested is decided here: inside a task no loop is split.
+// Threads, by OpenMP: independent tasks, each begun when a thread is free; and loops over the nodes of one large mesh, shared by a team.
+// Whoever works in threads does it by these functions, so that what is nested is decided here: inside a task no loop is shared.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <span>
+#include <vector>
 
 #include <omp.h>
 
@@ -65,19 +67,89 @@ constexpr std::size_t least_shared = 16 * least_of_range;
     return std::clamp<std::size_t>(n / least_of_range, 1, most_ranges);
 }
 
-/// Lets a thread that waits for others sleep after some microseconds, unless OMP_WAIT_POLICY or GOMP_SPINCOUNT says how it waits.
-void keep_waiting_short();
+/// The threads of one computation on a large mesh, which share its loops. To hand over a loop costs about a microsecond, as those that
+/// wait for the next one look for it for some dozen microseconds before they sleep; whoever comes late is not waited for. Each thread has
+/// the same part of all loops of one length, so that what it needs is in its cache; when it has done that, it takes over from others.
+class Team {
+public:
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
 
-/// Calls body(i) for i from begin to end, each by any thread. What it throws ends the program.
+    /// Does work(), whose loops are shared, if they are long enough, by as many threads as OpenMP gives. What it throws is thrown here.
+    /// @param n nodes of the mesh
+    template <typename Work>
+    static void with(std::size_t n, const Work& work);
+
+    /// Of the thread whose loops are shared. nullptr: none are
+    [[nodiscard]] static Team* of_this_thread() { return now_; }
+
+    /// Calls body(i) for i from begin to end, each by any thread, in the order of their numbers. What it throws ends the program.
+    template <typename Body>
+    void share(std::size_t begin, std::size_t end, const Body& body) {
+        const std::size_t n = parts_.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            parts_[k].next.store(begin + k * (end - begin) / n, std::memory_order_relaxed);
+            parts_[k].end = begin + (k + 1) * (end - begin) / n;
+        }
+        body_ = &body;
+        call_ = [](const void* what, std::size_t i) { (*static_cast<const Body*>(what))(i); };
+        open();
+        work_on_loop(0);
+        close();
+    }
+
+private:
+    /// Of a loop, for one thread. Each is in a cache line of its own.
+    struct alignas(64) Part {
+        std::atomic<std::size_t> next{0};
+        std::size_t end = 0;
+    };
+    explicit Team(int threads) : parts_(static_cast<std::size_t>(threads)) {}
+    void open();
+    void close();
+    void work_on_loop(std::size_t thread) noexcept;
+    void help(std::size_t thread);
+    void dismiss();
+
+    static thread_local Team* now_;
+    std::atomic<std::uint32_t> state_{0};  ///< helpers at work in the last eight bits; the rest is odd while a loop is open
+    std::vector<Part> parts_;              ///< [threads]
+    const void* body_ = nullptr;
+    void (*call_)(const void*, std::size_t) = nullptr;
+};
+
+template <typename Work>
+void Team::with(std::size_t n, const Work& work) {
+    if (n < least_shared || omp_in_parallel() != 0 || omp_get_max_threads() == 1) {
+        work();
+        return;
+    }
+    std::exception_ptr thrown;
+    Team team(omp_get_max_threads());
+#pragma omp parallel
+    if (omp_get_thread_num() > 0) {
+        team.help(static_cast<std::size_t>(omp_get_thread_num()));
+    } else {
+        now_ = &team;
+        try {
+            work();
+        } catch (...) {
+            thrown = std::current_exception();
+        }
+        now_ = nullptr;
+        team.dismiss();
+    }
+    if (thrown) {
+        std::rethrow_exception(thrown);
+    }
+}
+
+/// Calls body(i) for i from begin to end, each by any thread of the team, if there is one. What it throws ends the program then.
 /// @param shared whether other threads may help
 template <typename Body>
 void split_loop(std::size_t begin, std::size_t end, bool shared, const Body& body) {
-    if (shared && end - begin > 1 && omp_in_parallel() == 0 && omp_get_max_threads() > 1) {
-        keep_waiting_short();
-#pragma omp parallel for schedule(static)
-        for (std::size_t i = begin; i < end; ++i) {
-            body(i);
-        }
+    if (Team* team = Team::of_this_thread(); team != nullptr && shared && end - begin > 1) {
+        team->share(begin, end, body);
         return;
     }
     for (std::size_t i = begin; i < end; ++i) {

@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "mesh/index.hpp"
+#include "mesh/parallel.hpp"
 #include "solver/sensitivity/kept_results.hpp"
 #include "solver/sensitivity/tangent.hpp"
 #include "solver/stop_signal.hpp"
@@ -163,7 +165,7 @@ private:
     std::size_t next_ = 0;
 };
 
-Prediction simulate(const Problem& problem, const PredictionRequest& request) {
+Prediction simulate_on_this_thread(const Problem& problem, const PredictionRequest& request) {
     Prediction prediction;
     prediction.n_times = request.times.size();
     prediction.n_channels = problem.channels.size();
@@ -181,6 +183,12 @@ Prediction simulate(const Problem& problem, const PredictionRequest& request) {
     Prophet prophet(problem, request, prediction, finds_steps ? &kept : nullptr);
     prediction.status = problem.settings.steady ? prophet.steady() : prophet.march(prediction.step_ends);
     prophet.name_kinks();
+    return prediction;
+}
+
+Prediction simulate(const Problem& problem, const PredictionRequest& request) {
+    Prediction prediction;
+    Team::with(at(problem.mesh.n_nodes), [&] { prediction = simulate_on_this_thread(problem, request); });
     return prediction;
 }
 

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "mesh/index.hpp"
+#include "mesh/parallel.hpp"
 #include "solver/stop_signal.hpp"
 #include "solver/time_integration/output_sampler.hpp"
 #include "solver/time_integration/stepper.hpp"
@@ -288,14 +290,20 @@ private:
     State now_;
 };
 
+MarchReport run_in_team(const Problem& problem, const Observer& observer, const Continuation& continuation, KeptForcing* kept) {
+    MarchReport report;
+    Team::with(at(problem.mesh.n_nodes), [&] { report = Run(problem, observer, continuation, kept).go(); });
+    return report;
+}
+
 }  // namespace
 
 MarchReport run(const Problem& problem, const Observer& observer, const Continuation& continuation) {
-    return Run(problem, observer, continuation, nullptr).go();
+    return run_in_team(problem, observer, continuation, nullptr);
 }
 
 MarchReport run(const Problem& problem, const Observer& observer, KeptForcing& kept) {
-    return Run(problem, observer, {}, &kept).go();
+    return run_in_team(problem, observer, {}, &kept);
 }
 
 }  // namespace tiretherm::solver

@@ -13,6 +13,7 @@
 #include <set>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -38,13 +39,18 @@ std::vector<double> harmonic(std::size_t n) {
     return terms;
 }
 
-/// Threads that take part in a long loop.
+constexpr std::size_t many = 100 * least_of_range;
+
+/// Threads that take part in a long loop, which each of its rounds gives time to come.
 std::size_t threads_of_loop() {
     std::mutex mutex;
     std::set<std::thread::id> threads;
-    over_ranges(100 * least_of_range, [&](std::size_t, std::size_t, std::size_t) {
-        const std::scoped_lock lock(mutex);
-        threads.insert(std::this_thread::get_id());
+    Team::with(many, [&] {
+        over_ranges(many, [&](std::size_t, std::size_t, std::size_t) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(3));
+            const std::scoped_lock lock(mutex);
+            threads.insert(std::this_thread::get_id());
+        });
     });
     return threads.size();
 }
@@ -55,7 +61,7 @@ TEST(Parallel, SumsHaveTheSameDigitsForAnyNumberOfThreads) {
     std::set<double> sums;
     for (const int threads : {1, 2, 3, 5}) {
         const Threads now(threads);
-        sums.insert(sum_of(terms));
+        Team::with(terms.size(), [&] { sums.insert(sum_of(terms)); });
     }
     ASSERT_EQ(sums.size(), 1U);
     EXPECT_NEAR(*sums.begin(), std::log(1e5) + 0.57721566490153286 + 0.5e-5, 1e-10);
@@ -66,7 +72,8 @@ TEST(Parallel, LargestIsTheFirstOfThoseThatAreEqual) {
     std::vector<double> values(50000, 1.0);
     values[700] = values[40000] = 2.0;
     const Threads now(3);
-    const Largest most = largest_over_nodes(values.size(), [&](std::size_t i) { return values[i]; });
+    Largest most;
+    Team::with(values.size(), [&] { most = largest_over_nodes(values.size(), [&](std::size_t i) { return values[i]; }); });
     EXPECT_EQ(most.value, 2.0);
     EXPECT_EQ(most.place, 700U);
 }
@@ -75,9 +82,34 @@ TEST(Parallel, EveryNodeIsVisitedOnce) {
     const Threads now(3);
     for (const std::size_t n : {0UL, 1UL, least_of_range, least_shared - 1, least_shared, 123457UL}) {
         std::vector<int> visits(n);
-        over_nodes(n, [&](std::size_t i) { ++visits[i]; });
+        Team::with(many, [&] { over_nodes(n, [&](std::size_t i) { ++visits[i]; }); });
         EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), std::ssize(visits)) << n;
     }
+}
+
+// Loops as short and as many as those of a solution by iteration, also where there are more threads than cores: none is lost, and each
+// sees what the one before it wrote.
+TEST(Parallel, ManyShortLoopsFollowOneAnother) {
+    for (const int threads : {2, 3, 8}) {
+        const Threads now(threads);
+        std::vector<long> before(16, 0);
+        std::vector<long> after(16, 0);
+        constexpr long rounds = 20000;
+        Team::with(many, [&] {
+            for (long round = 0; round < rounds; ++round) {
+                split_loop(0, 16, true, [&](std::size_t i) { after[i] = before[(i + 1) % 16] + 1; });
+                std::swap(before, after);
+            }
+        });
+        EXPECT_EQ(before, std::vector<long>(16, rounds)) << threads;
+    }
+}
+
+TEST(Parallel, WhatIsThrownBetweenLoopsComesOut) {
+    const Threads now(2);
+    const auto fail = [] { throw std::runtime_error("between loops"); };
+    EXPECT_THROW(Team::with(many, fail), std::runtime_error);
+    EXPECT_EQ(Team::of_this_thread(), nullptr);
 }
 
 TEST(Parallel, WhatATaskThrowsComesOutAndNothingMoreIsBegun) {
