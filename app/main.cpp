@@ -21,7 +21,6 @@
 #include "app/output.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
-#include "solver/linear/petsc_factor.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace {
@@ -187,12 +186,6 @@ int main(int argc, char** argv) {
     app::keep_standard_streams();
     int exit_code = app::Exit::input_error;
     try {
-        // The other ranks of mpirun serve the linear solutions of the first, unless they share the runs of a study.
-        const bool shares_runs = std::ranges::any_of(std::span(argv, static_cast<std::size_t>(argc)),
-                                                     [](const char* a) { return std::string_view(a) == "--mpi"; });
-        if (!shares_runs && !solver::is_first_rank()) {
-            return app::Exit::done;
-        }
         exit_code = run_call(argc, argv);
     } catch (const std::exception&) {  // the message itself could not be written
         exit_code = app::Exit::input_error;

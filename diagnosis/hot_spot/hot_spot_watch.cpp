@@ -10,7 +10,6 @@
 
 #include "input/runs/continued_schedule.hpp"
 #include "mesh/parallel.hpp"
-#include "solver/linear/petsc_factor.hpp"
 #include "solver/stop_signal.hpp"
 #include "solver/time_integration/run_to_end.hpp"
 
@@ -186,7 +185,7 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
             sides[i] = solver::place_slopes(*problem, places, {}, base.step_ends);
         }
     };
-    in_parallel(2 * n, to_a_side, solver::side_by_side(problem_.settings.linear_solver));
+    in_parallel(2 * n, to_a_side);
     for (std::size_t p = 0; p < places.size(); ++p) {
         std::vector<solver::Driver> drivers;
         double mean = into.spots[p].hottest.temperature;

@@ -8,7 +8,6 @@
 
 #include "input/text/word_lists.hpp"
 #include "mesh/parallel.hpp"
-#include "solver/linear/petsc_factor.hpp"
 #include "solver/time_integration/run_to_end.hpp"
 
 namespace tiretherm::diagnosis {
@@ -80,7 +79,7 @@ WhatIf what_if(const std::vector<input::ChangedRuns>& changes, const std::vector
         const solver::RunEnd end = solver::run_to_end(*tasks[i].problem, [](const solver::Snapshot&) {});
         fill(answer.rows[i], end, *reports[tasks[i].run]);
     };
-    in_parallel(tasks.size(), make, solver::side_by_side(base.front()->settings.linear_solver));
+    in_parallel(tasks.size(), make);
     std::vector<std::string> keys;
     for (const WhatIfRow& row : answer.rows) {
         const auto moves = [&](const WhatIfRow& other) { return other.key == row.key && !other.moves_nothing(); };

@@ -196,7 +196,7 @@ def benchmarks(entry, sources, run):
 
 
 def compared(entry, sources, run):
-    """benchmarks/compare and benchmarks/ring write their records themselves."""
+    """benchmarks/compare and benchmarks/threads write their records themselves."""
     script = ROOT / entry["record"].split(",")[0]
     run([str(script)], ROOT)
     return json.loads((ROOT / f"docs/records/{entry['name']}.json").read_text())

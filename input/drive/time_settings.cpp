@@ -8,7 +8,6 @@
 
 #include "input/drive/run_span.hpp"
 #include "input/text/quantity_specs.hpp"
-#include "solver/linear/petsc_factor.hpp"
 
 namespace tiretherm::input {
 
@@ -57,10 +56,6 @@ solver::Settings read_time_settings(TomlTable& root, const DrivenSpan& span, con
     }
     if (own_start && run->lead > 0.0) {
         time.add_error("start", "start and repeat_first_lap both say where the run begins", "keep one of them");
-    }
-    if (into.linear_solver == solver::LinearSolver::petsc && !solver::has_petsc()) {
-        time.add_error("linear_solver", "this program was built without PETSc",
-                       "configure it with -DTIRETHERM_PETSC=ON, or leave the linear solver to the program");
     }
 
     const double length = into.end - into.start;

@@ -3,7 +3,6 @@
 
 #include "input/runs/read_experiment.hpp"
 
-#include "input/model/petsc_refusal.hpp"
 #include "input/runs/runs.hpp"
 #include "input/toml/document.hpp"
 
@@ -38,7 +37,6 @@ ExperimentReading read_experiment(const std::filesystem::path& file, const std::
         std::vector<std::filesystem::path> files = data;
         change_columns(*document, columns, files);
         runs = read_runs(*document, case_name(file), files, mode, errors);
-        refuse_petsc(*document, errors);
         const bool has_runs = mode == ReadMode::planned || !data.empty() || document->find("run") != nullptr;
         if (!has_runs && errors.count() == 0 && runs.experiment.runs.front().numbers.empty()) {
             errors.add(document->place, "the case has no measured run",

@@ -34,7 +34,7 @@ std::vector<TableKeys> time_tables() {
             quantity("output", interval, "Interval of the rows of channels. Default: 0 s, every step.").into<&solver::Settings::output_interval>(),
             quantity("fields", interval, "Interval of the stored fields. Default: 0 s, the first and the last.").into<&solver::Settings::field_interval>(),
             choice("method", {"tr_bdf2", "backward_euler"}, "Time integration. Default: tr_bdf2.").into<&solver::Settings::method>(),
-            choice("linear_solver", {"automatic", "cholesky", "conjugate_gradient", "petsc"}, "`petsc` is for `run` alone. Default: automatic, by the predicted fill.").into<&solver::Settings::linear_solver>(),
+            choice("linear_solver", {"automatic", "cholesky", "conjugate_gradient"}, "Default: automatic, by the predicted fill.").into<&solver::Settings::linear_solver>(),
         }},
     };
 }

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "input/model/petsc_refusal.hpp"
 #include "input/parameters/parameter_path.hpp"
 #include "input/runs/reader.hpp"
 #include "input/runs/runs.hpp"
@@ -195,7 +194,6 @@ private:
             InputErrors errors = study_.errors_;
             const TomlValue document = study_.document_of(r, errors);
             const Runs made = read_runs(document, study_.case_name, {}, ReadMode::measured, errors);
-            refuse_petsc(document, errors);
             const solver::Problem& problem = made.problem;
             if (r == 0) {
                 study_.channels = problem.channels;

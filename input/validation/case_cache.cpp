@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "input/model/petsc_refusal.hpp"
 #include "input/runs/reader.hpp"
 #include "input/runs/runs.hpp"
 #include "input/text/suggestions.hpp"
@@ -76,12 +75,6 @@ std::optional<std::size_t> CaseCache::find(const std::string& path, const Source
     const auto text = texts_.find(file);
     Reading reading = text == texts_.end() ? read_case(file) : read_case(file, text->second);
     errors_.insert(errors_.end(), reading.errors.begin(), reading.errors.end());
-    InputErrors refused;
-    if (const std::optional<TomlValue> document = parsed(file, refused)) {
-        refuse_petsc(*document, refused);
-        const std::vector<InputError> all = refused.in_order();
-        errors_.insert(errors_.end(), all.begin(), all.end());
-    }
     warnings_.insert(warnings_.end(), reading.warnings.begin(), reading.warnings.end());
     if (reading.problem) {
         index = runs_.size();

@@ -316,8 +316,6 @@ std::unique_ptr<Factor> make_factor(const Pattern& pattern, LinearSolver wanted)
     switch (wanted) {
         case LinearSolver::conjugate_gradient:
             return make_incomplete_cholesky(pattern);
-        case LinearSolver::petsc:
-            return make_petsc(pattern);
         case LinearSolver::cholesky:
             return make_cholesky(pattern);
         case LinearSolver::automatic:

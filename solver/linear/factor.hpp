@@ -12,7 +12,7 @@
 namespace tiretherm::solver {
 
 /// Which factor stands behind the linear systems; `automatic` looks at the fill that CHOLMOD's analysis predicts.
-enum class LinearSolver : std::uint8_t { automatic, cholesky, conjugate_gradient, petsc };
+enum class LinearSolver : std::uint8_t { automatic, cholesky, conjugate_gradient };
 
 /// An approximate or exact inverse of a symmetric positive definite matrix: the only thing the solver knows about
 /// linear algebra libraries. The pattern is analysed in the constructor; after `factorise`, solves allocate nothing.
@@ -55,9 +55,6 @@ public:
 [[nodiscard]] std::unique_ptr<Factor> make_cholesky(const Pattern& pattern);
 /// Incomplete Cholesky factor without fill that keeps row sums, to precondition conjugate gradients.
 [[nodiscard]] std::unique_ptr<Factor> make_incomplete_cholesky(const Pattern& pattern);
-/// Conjugate gradients with algebraic multigrid by PETSc, over all ranks of mpirun.
-/// @errors std::runtime_error in a library without PETSc
-[[nodiscard]] std::unique_ptr<Factor> make_petsc(const Pattern& pattern);
 /// `automatic`: CHOLMOD unless its analysis predicts a fill at which incomplete Cholesky is faster.
 [[nodiscard]] std::unique_ptr<Factor> make_factor(const Pattern& pattern, LinearSolver wanted);
 
