@@ -242,8 +242,11 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
     }
     std::ranges::for_each(report.appendix, add);
     add(origin_section(origin));
-    text += fmt::format("<nav aria-label=\"sections\">{}</nav>\n</header>\n<main>\n{}</main>\n{}", contents, sections,
-                        data_html(report, origin));
+    const std::string data = data_html(report, origin);
+    constexpr std::size_t rest = 10000;  // characters
+    text.reserve(text.size() + sections.size() + data.size() + assets::charting_library().size() + assets::script().size() + rest);
+    text += fmt::format("<nav aria-label=\"sections\">{}</nav>\n</header>\n<main>\n", contents);
+    text.append(sections).append("</main>\n").append(data);
     text += fmt::format(
         "<footer>tiretherm {} {}{}. Charts: ctrl + wheel or + and - zoom, drag or the arrows move, 0 shows all. Drawn "
         "with Apache ECharts.</footer>\n",
@@ -252,7 +255,8 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
     text += assets::charting_library();
     text += "</script>\n<script>\n";
     text += assets::script();
-    return text + "</script>\n</body>\n</html>\n";
+    text += "</script>\n</body>\n</html>\n";
+    return text;
 }
 
 std::vector<std::string> page_names() { return {page_name, text_page_name}; }
