@@ -58,7 +58,7 @@ constexpr int rough_steps = 8;
 /// Tolerances of change in the first step, were the first rate to last. Of powers of two a first step that is refused costs
 /// little: the factors of shorter ones are needed anyway, and its own will be.
 constexpr double first_change = 10.0;
-constexpr double first_change_of_powers = 80.0;
+constexpr double first_change_of_powers = 40.0;
 
 /// A run from its start to its end: chooses the steps, leaves checkpoints, fills the report.
 class Run {
@@ -250,11 +250,9 @@ private:
         return count == 0 ? t1 : *(first + static_cast<std::ptrdiff_t>(std::bit_floor(count)) - 1);
     }
 
-    /// Steps to the next stop: as many as are left of the wanted length, or a power of two, of that length or less.
+    /// Steps of one length to the next stop, each as long as wanted, but for round-off, or less.
     [[nodiscard]] static double parts_of(double way, double wanted) {
-        const double parts = std::round(way / wanted);
-        const bool goes_on = parts >= 1.0 && std::abs(way - parts * wanted) <= 1e-6 * wanted;
-        return goes_on ? parts : std::exp2(std::max(0.0, std::ceil(std::log2(way / wanted))));
+        return std::max(1.0, std::ceil(way / wanted - 1e-6));
     }
 
     /// What a step may grow by so that whole steps still lead to the stop. @param parts steps of the present length to there
