@@ -49,11 +49,11 @@ std::vector<std::string> names_to_choose(const std::vector<MeasuredRun>& runs) {
     return unique(names);
 }
 
-/// The run of this name, or the recording of this name at all corners. @param name empty: the first
-std::vector<RunOfCase> choose(const Runs& runs, const std::string& name, bool is_named) {
+/// The run of this name, or the recording of this name at all corners: they are taken out. @param name empty: the first
+std::vector<RunOfCase> choose(Runs& runs, const std::string& name, bool is_named) {
     std::vector<RunOfCase> chosen;
-    const std::vector<MeasuredRun>& all = runs.experiment.runs;
-    for (const MeasuredRun& run : all) {
+    std::vector<MeasuredRun>& all = runs.experiment.runs;
+    for (MeasuredRun& run : all) {
         const bool at_corner = !run.corner.empty();
         const bool is_chosen = name.empty()
                                    ? (at_corner ? run.recording == all.front().recording : &run == &all.front())
@@ -61,7 +61,7 @@ std::vector<RunOfCase> choose(const Runs& runs, const std::string& name, bool is
         if (is_chosen) {
             chosen.push_back({.name = is_named || at_corner ? run.name : "",
                               .corner = run.corner,
-                              .problem = run.problem,
+                              .problem = std::move(run.problem),
                               .laps = run.laps});
             take_away_cameras(chosen.back().problem);
         }
@@ -74,7 +74,7 @@ Reading read_case(const fs::path& file, const std::string* text, const std::stri
     std::optional<solver::Problem> problem;
     Reading reading;
     if (const std::optional<TomlValue> document = read_document(file, errors, text)) {
-        const Runs runs =
+        Runs runs =
             read_runs(*document, case_name(file), {}, run != nullptr ? ReadMode::planned : ReadMode::measured, errors);
         const TomlValue* tables = document->find("run");
         const std::string asked = run != nullptr ? *run : "";
@@ -89,7 +89,7 @@ Reading read_case(const fs::path& file, const std::string* text, const std::stri
             errors.add(tables != nullptr ? tables->place : SourceLocation{.file = document->place.file},
                        fmt::format("the case has no run \"{}\"", asked), suggest(asked, names, "runs"));
         }
-        problem = runs.problem_of(asked);
+        problem = asked.empty() ? std::move(runs.problem) : runs.problem_of(asked);
         static_cast<CaseFindings&>(reading) = runs;
         if (run != nullptr && errors.count() == 0) {
             reading.chosen = choose(runs, asked, tables != nullptr);
@@ -107,7 +107,7 @@ Reading read_case(const fs::path& file, const std::string* text, const std::stri
 
 std::vector<RunOfCase> runs_of_document(const TomlValue& document, const fs::path& file, const std::string& run,
                                         InputErrors& errors) {
-    const Runs runs = read_runs(document, case_name(file), {}, ReadMode::planned, errors);
+    Runs runs = read_runs(document, case_name(file), {}, ReadMode::planned, errors);
     return errors.count() == 0 ? choose(runs, run, document.find("run") != nullptr) : std::vector<RunOfCase>{};
 }
 

@@ -31,10 +31,6 @@ class CholeskyFactor final : public Factor {
 public:
     /// The other constructor has made a whole object, so that the destructor frees everything when this one throws.
     explicit CholeskyFactor(const Pattern& pattern) : CholeskyFactor() {
-        common_.print = 0;
-        common_.supernodal = CHOLMOD_AUTO;
-        common_.supernodal_switch = flops_per_entry_for_blocks;
-        common_.final_ll = 1;
         const auto n = static_cast<std::size_t>(pattern.n);
         std::size_t lower = 0;
         for (int i = 0; i < pattern.n; ++i) {
@@ -60,16 +56,31 @@ public:
         start[pattern.n] = count;
         double* value = static_cast<double*>(matrix_->x);
         std::fill(value, value + count, 0.0);
-        factor_ = cholmod_analyze(matrix_, &common_);
-        if (factor_ == nullptr) {
+        analysis_ = cholmod_analyze(matrix_, &common_);
+        if (analysis_ == nullptr) {
             throw std::runtime_error("CHOLMOD could not analyse the matrix: " + status());
         }
+        factor_ = copy_of(analysis_);
         entries_ = common_.lnz;
         flops_ = common_.fl;
     }
 
+    /// Takes the analysis of another over.
+    CholeskyFactor(const CholeskyFactor& other) : CholeskyFactor() {
+        source_ = other.source_;
+        entries_ = other.entries_;
+        flops_ = other.flops_;
+        matrix_ = cholmod_copy_sparse(other.matrix_, &common_);
+        if (matrix_ == nullptr) {
+            throw std::bad_alloc();
+        }
+        analysis_ = copy_of(other.analysis_);
+        factor_ = copy_of(analysis_);
+    }
+
     ~CholeskyFactor() override {
         cholmod_free_sparse(&matrix_, &common_);
+        cholmod_free_factor(&analysis_, &common_);
         cholmod_free_factor(&factor_, &common_);
         for (Buffers* buffers : {&one_, &many_}) {
             cholmod_free_dense(&buffers->solution, &common_);
@@ -120,6 +131,8 @@ public:
         }
     }
 
+    [[nodiscard]] std::unique_ptr<Factor> alike() const override { return std::make_unique<CholeskyFactor>(*this); }
+
     [[nodiscard]] double factor_cost() const override {
         // Solving streams the factor twice. A supernodal factor works in cache and does about three times the flops a
         // second; a simplicial one walks its pattern as the solve does.
@@ -135,7 +148,20 @@ public:
     [[nodiscard]] double entries_per_row() const { return entries_ / static_cast<double>(matrix_->nrow); }
 
 private:
-    CholeskyFactor() { cholmod_start(&common_); }
+    CholeskyFactor() {
+        cholmod_start(&common_);
+        common_.print = 0;
+        common_.supernodal = CHOLMOD_AUTO;
+        common_.supernodal_switch = flops_per_entry_for_blocks;
+        common_.final_ll = 1;
+        common_.grow0 = common_.grow1 = 1.0;  // columns never outgrow what the analysis found
+        common_.grow2 = 0;
+    }
+
+    [[nodiscard]] cholmod_factor* copy_of(cholmod_factor* other) {
+        cholmod_factor* copy = cholmod_copy_factor(other, &common_);
+        return copy != nullptr ? copy : throw std::bad_alloc();
+    }
 
     std::string factorise_values() {
         cholmod_factorize(matrix_, factor_, &common_);
@@ -164,7 +190,7 @@ private:
         const auto* count = static_cast<const int*>(factor_->nz);
         const auto* row = static_cast<const int*>(factor_->i);
         const auto* value = static_cast<const double*>(factor_->x);
-        side_by_side_.resize(n * at_once);
+        side_by_side_.resize(std::max(n, side_by_side_.size()));
         double* const y = side_by_side_.data();
         for (std::size_t k = 0; k < n; ++k) {
             y[k] = b[static_cast<std::size_t>(order[k])];
@@ -298,11 +324,12 @@ private:
 
     cholmod_common common_{};
     cholmod_sparse* matrix_ = nullptr;
+    cholmod_factor* analysis_ = nullptr;  ///< without numbers, to be copied
     cholmod_factor* factor_ = nullptr;
     Buffers one_;
     Buffers many_;
     std::vector<double> inverse_;       ///< [n] of the factor's diagonal
-    std::vector<double> side_by_side_;  ///< [n][at_once]
+    std::vector<double> side_by_side_;  ///< [n], or [n][at_once] once several columns were solved
     std::vector<int> source_;           ///< place in the pattern of each entry of the lower triangle
     double entries_ = 0.0;
     double flops_ = 0.0;

@@ -44,6 +44,8 @@ public:
             solve(B.subspan(j * n, n), X.subspan(j * n, n));
         }
     }
+    /// Another factor of the same pattern, which is not analysed again; not yet usable. Null where only one is ever of use.
+    [[nodiscard]] virtual std::unique_ptr<Factor> alike() const { return nullptr; }
     /// Cost of a factorisation in units of one solve, from the analysis: decides when a new one pays.
     [[nodiscard]] virtual double factor_cost() const = 0;
     /// Whether `solve` is exact for the matrix that was factorised.

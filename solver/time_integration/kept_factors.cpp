@@ -15,6 +15,8 @@ namespace {
 /// Above this many nodes one factor is kept: four would cost more memory than they save time.
 constexpr int most_nodes_of_four = 50000;
 constexpr std::size_t most_kept = 4;
+/// While steps only grow, the factors of the shorter ones would not be used again: their memory is.
+constexpr std::size_t most_growing = 2;
 /// Step lengths nearer than this share one factor. Ratio
 constexpr double alike = 1.3;
 /// What an evaluation of all effects costs, in solves.
@@ -24,7 +26,7 @@ double distance(double a, double b) { return std::abs(std::log(a / b)); }
 
 }  // namespace
 
-KeptFactors::KeptFactors(const Pattern& pattern, LinearSolver wanted) : pattern_(&pattern), wanted_(wanted), kept_(1) {
+KeptFactors::KeptFactors(const Pattern& pattern, LinearSolver wanted) : pattern_(&pattern), kept_(1) {
     kept_.front().factor = make_factor(pattern, wanted);
     kept_.resize(kept_.front().factor->is_exact() && pattern.n <= most_nodes_of_four ? most_kept : 1);
     now_ = &kept_.front();
@@ -45,6 +47,7 @@ bool KeptFactors::select(double s) {
     if (best == nullptr) {
         return false;
     }
+    alternates_ = alternates_ || best != now_;
     make_current(*best);
     return true;
 }
@@ -63,13 +66,15 @@ std::string KeptFactors::renew(const Matrix& A, double s, std::span<const double
     const auto is_alike = [s](const Kept& kept) { return kept.s > 0.0 && distance(kept.s, s) < std::log(alike); };
     auto place = std::ranges::find_if(kept_, is_alike);
     if (place == kept_.end()) {
-        place = std::ranges::min_element(kept_, {}, &Kept::last_used);
+        const auto in_use =
+            static_cast<std::ptrdiff_t>(alternates_ ? kept_.size() : std::min(kept_.size(), most_growing));
+        place = std::ranges::min_element(kept_.begin(), kept_.begin() + in_use, {}, &Kept::last_used);
         if (kept_.size() > 1 && now_->s > 0.0) {
             now_->excess_solves = 0.0;  // it was out of its range, not too old
         }
     }
     if (!place->factor) {
-        place->factor = make_factor(*pattern_, wanted_);
+        place->factor = kept_.front().factor->alike();
     }
     place->s = 0.0;
     make_current(*place);
@@ -87,6 +92,7 @@ std::string KeptFactors::renew(const Matrix& A, double s, std::span<const double
 void KeptFactors::visit(Archive& archive) {
     archive(uses_);
     archive(reach_);
+    archive(alternates_);
     long current = now_ - kept_.data();
     archive(current);
     now_ = &kept_[static_cast<std::size_t>(std::clamp(current, 0L, static_cast<long>(kept_.size()) - 1))];
@@ -96,7 +102,7 @@ void KeptFactors::visit(Archive& archive) {
             continue;
         }
         if (!kept.factor) {
-            kept.factor = make_factor(*pattern_, wanted_);
+            kept.factor = kept_.front().factor->alike();
         }
         std::vector<double> values(kept.factor->values().begin(), kept.factor->values().end());
         archive(values);

@@ -15,7 +15,7 @@ namespace tiretherm::solver {
 
 /// A few factors of A = C + s K, one for each step length s [s] in use: over a log, steps of 1, 2, 4 samples take turns.
 /// A factor serves while the solves that its age costs are fewer than those that a new one would. Exact factors of small
-/// meshes are kept four at a time, others one.
+/// meshes are kept four at a time, two while steps only grow, others one.
 class KeptFactors {
 public:
     KeptFactors(const Pattern& pattern, LinearSolver wanted);
@@ -68,11 +68,11 @@ private:
     void make_current(Kept& kept);
 
     const Pattern* pattern_;
-    LinearSolver wanted_;
     std::vector<Kept> kept_;
     Kept* now_;
     long uses_ = 0;
-    double reach_ = 2.0;
+    double reach_ = 1.99;      ///< steps twice as long have a factor of their own
+    bool alternates_ = false;  ///< a step length came back to which another factor fitted
 };
 
 }  // namespace tiretherm::solver

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Time loop with the step factor 0.9 (tolerance/error)^(1/(order + 1)) and a dead zone; steps end on the stops of the
-// inputs and on logged samples.
+// Time loop with the step factor 0.9 (tolerance/error)^(1/(order + 1)) and a dead zone, or by powers of two; steps end on
+// the stops of the inputs and on logged samples.
 
 #include "solver/time_integration/march.hpp"
 
@@ -29,19 +29,36 @@ public:
 
     /// Factor on the step after an error of `error` K.
     [[nodiscard]] double factor(double error) const {
-        const double wanted = error > 0.0 ? 0.9 * std::pow(tolerance_ / error, exponent_) : 4.0;
-        const double bounded = std::clamp(wanted, 0.2, 4.0);
+        const double bounded = std::clamp(0.9 * allowed(error), 0.2, 4.0);
         return bounded > 0.95 && bounded < 1.25 ? 1.0 : bounded;
+    }
+    /// The largest power of two that the error allows.
+    [[nodiscard]] double power_of_two(double error) const {
+        return std::exp2(std::floor(std::log2(std::clamp(allowed(error), 0.25, 4.0))));
+    }
+    /// The error below which a step of powers of two, or another one, grows by as much as it may. @param growth 1 to 4
+    [[nodiscard]] double harmless(double growth, bool by_powers) const {
+        const double ratio = by_powers ? 1.0 / growth : 0.9 / (growth > 1.0 ? growth : 0.96);
+        return tolerance_ * std::pow(std::min(1.0, ratio), 1.0 / exponent_);
     }
     [[nodiscard]] bool accepts(double error) const { return error <= tolerance_; }
 
 private:
+    [[nodiscard]] double allowed(double error) const {
+        return error > 0.0 ? std::pow(tolerance_ / error, exponent_) : 5.0;
+    }
+
     double tolerance_;
     double exponent_;
 };
 
 /// A log that was too rough for a step stays so for a while, which no power of the step foretells.
 constexpr int rough_steps = 8;
+
+/// Tolerances of change in the first step, were the first rate to last. Of powers of two a first step that is refused costs
+/// little: the factors of shorter ones are needed anyway, and its own will be.
+constexpr double first_change = 10.0;
+constexpr double first_change_of_powers = 40.0;
 
 /// A run from its start to its end: chooses the steps, leaves checkpoints, fills the report.
 class Run {
@@ -132,9 +149,11 @@ private:
             const double t = stepper_.time();
             const double stop = next_stop(t);
             if (now_.fresh && !settings.fixed_step) {
-                // Ten tolerances of change, were the present rate to last.
                 const double rate = stepper_.steepest_rate();
-                const double first = rate > 0.0 ? 10.0 * settings.tolerance / rate : stop - t;
+                now_.by_powers = stepper_.newton().keeps_factors() && stepper_.newton().is_linear() &&
+                                 problem_.input_signals.samples().empty();
+                const double change = now_.by_powers ? first_change_of_powers : first_change;
+                const double first = rate > 0.0 ? change * settings.tolerance / rate : stop - t;
                 now_.wanted = now_.wanted > 0.0 ? std::min(now_.wanted, first) : first;
             }
             now_.fresh = false;
@@ -143,7 +162,10 @@ private:
             // Of a short step after a long time the smallest one is a large part: a refused step would be tried for ever.
             const double slack = std::min(smallest, 0.01 * now_.wanted);
             double t1 = settings.fixed_step ? t + now_.wanted : on_sample(t, t + now_.wanted, slack);
-            if (t1 > stop - slack) {
+            const double parts = now_.by_powers ? parts_of(stop - t, now_.wanted) : 0.0;
+            if (now_.by_powers) {
+                t1 = parts > 1.0 ? t + (stop - t) / parts : stop;
+            } else if (t1 > stop - slack) {
                 t1 = stop;
             } else if (!settings.fixed_step && t1 + now_.wanted > stop) {
                 t1 = 0.5 * (t + stop);  // two equal steps rather than a whole one and a sliver
@@ -153,7 +175,8 @@ private:
                     fmt::format("the step of {:.1e} s is too short beside the time of {:.6g} s", now_.wanted, t));
             }
             const bool closed = settings.fixed_step || t1 > settings.end - smallest;
-            Stepper::Attempt attempt = stepper_.attempt(t1, closed);
+            const double most = now_.by_powers ? growth(4.0, t1 - t, parts - 1.0) : now_.hold > 0 ? 1.0 : 4.0;
+            Stepper::Attempt attempt = stepper_.attempt(t1, closed, control.harmless(most, now_.by_powers));
             if (!attempt.status.ok()) {
                 ++report_.rejected;
                 if (settings.fixed_step || t1 - t < 10.0 * smallest || !is_recoverable(attempt.status.outcome)) {
@@ -166,7 +189,7 @@ private:
                 continue;
             }
             if (!settings.fixed_step) {
-                const double factor = control.factor(attempt.error);
+                double factor = now_.by_powers ? control.power_of_two(attempt.error) : control.factor(attempt.error);
                 if (!control.accepts(attempt.error)) {
                     ++report_.rejected;
                     now_.hold = problem_.input_signals.samples().empty() ? 0 : rough_steps;
@@ -179,7 +202,9 @@ private:
                     continue;
                 }
                 // A step cut short by a stop says nothing against the size that was wanted.
-                now_.wanted = std::max(factor * (t1 - t), t1 - t < now_.wanted ? now_.wanted : 0.0);
+                const bool cut_short = parts <= 1.0 && t1 - t < now_.wanted;
+                factor = now_.by_powers ? growth(factor, t1 - t, parts - 1.0) : factor;
+                now_.wanted = std::max(factor * (t1 - t), cut_short ? now_.wanted : 0.0);
                 if (now_.hold > 0) {
                     --now_.hold;
                     now_.wanted = std::min(now_.wanted, t1 - t);
@@ -223,6 +248,21 @@ private:
         const auto last = std::upper_bound(first, samples.end(), t1 + round_off);
         const auto count = static_cast<std::size_t>(last - first);
         return count == 0 ? t1 : *(first + static_cast<std::ptrdiff_t>(std::bit_floor(count)) - 1);
+    }
+
+    /// Steps of one length to the next stop, each as long as wanted, but for round-off, or less.
+    [[nodiscard]] static double parts_of(double way, double wanted) {
+        return std::max(1.0, std::ceil(way / wanted - 1e-6));
+    }
+
+    /// What a step may grow by so that whole steps still lead to the stop. @param parts steps of the present length to there
+    [[nodiscard]] double growth(double allowed, double step, double parts) const {
+        const double largest = problem_.settings.largest_step.value_or(std::numeric_limits<double>::infinity());
+        double grown = std::max(1.0, allowed);
+        while (grown > 1.0 && (std::fmod(parts, grown) != 0.0 || grown * step > largest)) {
+            grown *= 0.5;
+        }
+        return grown;
     }
 
     [[nodiscard]] double next_stop(double t) const {
@@ -286,6 +326,8 @@ private:
         double wanted = 0.0;  ///< s, size of the next step
         int hold = 0;         ///< steps to come that do not grow
         bool fresh = true;    ///< at the start and after a jump the step is chosen anew
+        bool by_powers =
+            false;  ///< a step is 1, 2, 4 times as long as the last, or a half or a quarter: few factors fit
     };
     State now_;
 };

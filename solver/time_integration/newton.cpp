@@ -164,7 +164,7 @@ Status Newton::correct(const Stage& stage, std::span<double> T, Progress& progre
         return status;
     }
     const Stopwatch watch(timed_ ? &now_.counters.solve_seconds : nullptr);
-    const bool linear = !system_->terms().nonlinear && !has_nonlinear_capacity_;
+    const bool linear = is_linear();
     const Krylov::Result result = krylov_.solve(J_, factors_.current(), residual_, correction_, remainder_,
                                                 0.5 * stage.tolerance, linear ? 0.0 : forcing);
     count_solves(result);

@@ -57,11 +57,17 @@ public:
     /// @pre a factor is at hand
     void filter(std::span<const double> b, std::span<double> x);
 
+    /// One over the heat capacities in the matrix behind `filter`. @returns [n_nodes] K/J
+    [[nodiscard]] std::span<const double> compliance() const { return factors_.compliance(); }
+
     /// Whether a factor at hand serves a stage of this length; `filter` uses it from now on.
     [[nodiscard]] bool has_factor_for(double s) { return factors_.select(s); }
 
     /// The state between two steps: what the next ones depend on, the factor included.
     void visit(Archive& archive);
+
+    /// Whether a factor serves the steps of its length without iteration, and costs more than a solve.
+    [[nodiscard]] bool keeps_factors() const { return factors_.current().is_exact(); }
 
     /// Lets the factor serve others: sensitivities and adjoints of the same steps.
     [[nodiscard]] Factor& factor() { return factors_.current(); }
@@ -73,6 +79,8 @@ public:
     [[nodiscard]] const Counters& counters() const { return now_.counters; }
     /// Leaves the seconds of the parts uncounted: in real time, looking at the clock costs as much as a small effect.
     void stop_timing() { timed_ = false; }
+    /// Whether the balance last evaluated is linear in the temperatures.
+    [[nodiscard]] bool is_linear() const { return !system_->terms().nonlinear && !has_nonlinear_capacity_; }
     [[nodiscard]] std::string linear_solver() const { return factors_.current().description(); }
 
 private:

@@ -99,17 +99,17 @@ void Stepper::predict(int stage, double dt) {
     });
 }
 
-Stepper::Attempt Stepper::attempt(double t1, bool closed) {
+Stepper::Attempt Stepper::attempt(double t1, bool closed, double harmless) {
     forcing_.open(now_.time, t1);
-    return attempt_in_window(t1, closed);
+    return attempt_in_window(t1, closed, harmless);
 }
 
 Stepper::Attempt Stepper::attempt(double t1, const physics::Inputs& from, const physics::Inputs& to) {
     forcing_.open(from, to);
-    return attempt_in_window(t1, false);
+    return attempt_in_window(t1, false, 0.0);
 }
 
-Stepper::Attempt Stepper::attempt_in_window(double t1, bool closed) {
+Stepper::Attempt Stepper::attempt_in_window(double t1, bool closed, double harmless) {
     const double dt = t1 - now_.time;
     now_.tried = t1;
 
@@ -119,7 +119,7 @@ Stepper::Attempt Stepper::attempt_in_window(double t1, bool closed) {
     if (now_.end_is_known && std::ranges::equal(forcing_.stage(0), now_.end_coefficients)) {
         copy_nodes(now_.end_q, q_[0]);
         stage_watts_[0] = now_.end_watts;
-        return attempt_stages(dt, closed);
+        return attempt_stages(dt, closed, harmless);
     }
     system_.make_consistent(T_[1], forcing_.stage(0));
     if (const int bad = system_.first_not_finite(); bad >= 0) {
@@ -128,10 +128,10 @@ Stepper::Attempt Stepper::attempt_in_window(double t1, bool closed) {
                 .error = 0.0};
     }
     update_heat_budget(0);
-    return attempt_stages(dt, closed);
+    return attempt_stages(dt, closed, harmless);
 }
 
-Stepper::Attempt Stepper::attempt_stages(double dt, bool closed) {
+Stepper::Attempt Stepper::attempt_stages(double dt, bool closed, double harmless) {
     const bool controlled = !problem_->settings.fixed_step;
     const bool early = controlled && newton_.has_factor_for(dt * tableau_->diagonal);
     const double left_out = early ? estimate_left_out(dt) : 0.0;
@@ -164,7 +164,7 @@ Stepper::Attempt Stepper::attempt_stages(double dt, bool closed) {
     if (!controlled) {
         return {.status = {}, .error = 0.0};
     }
-    return {.status = {}, .error = std::max(estimate_error(dt), early ? left_out : estimate_left_out(dt))};
+    return {.status = {}, .error = std::max(estimate_error(dt, harmless), early ? left_out : estimate_left_out(dt))};
 }
 
 double Stepper::largest_filtered() {
@@ -186,7 +186,8 @@ double Stepper::estimate_left_out(double dt) {
     return largest_filtered();
 }
 
-double Stepper::estimate_error(double dt) {
+/// Filtered by A^-1, whose rows add up to at most one over the heat capacity: that bounds it without a solve.
+double Stepper::estimate_error(double dt, double harmless) {
     over_nodes(error_heat_.size(), [&](std::size_t n) {
         double heat = 0.0;
         for (int i = 0; i < tableau_->stages; ++i) {
@@ -196,6 +197,12 @@ double Stepper::estimate_error(double dt) {
     });
     for (std::size_t n = at(problem_->mesh.n_cells); n < error_heat_.size(); ++n) {
         error_heat_[n] = system_.has_capacity(n) ? error_heat_[n] : 0.0;
+    }
+    const std::span<const double> compliance = newton_.compliance();
+    const Largest bound =
+        largest_over_nodes(error_heat_.size(), [&](std::size_t n) { return std::abs(error_heat_[n]) * compliance[n]; });
+    if (bound.value <= harmless) {
+        return bound.value;
     }
     return largest_filtered();
 }

@@ -36,7 +36,8 @@ public:
 
     /// Tries a step from time() to t1 over which no stop of the inputs lies. The state changes only by `accept`.
     /// @param closed whether the heat budget closes to round-off at t1; what it leaves open is else carried into the next
-    [[nodiscard]] Attempt attempt(double t1, bool closed);
+    /// @param harmless K, an error below which a bound of it says enough and costs no solve
+    [[nodiscard]] Attempt attempt(double t1, bool closed, double harmless = 0.0);
     /// The same, not closed, with inputs that go straight from `from` to `to`, whatever the problem's input signals say.
     [[nodiscard]] Attempt attempt(double t1, const physics::Inputs& from, const physics::Inputs& to);
     void accept();
@@ -90,8 +91,8 @@ public:
     [[nodiscard]] const System& system() const { return system_; }
 
 private:
-    [[nodiscard]] Attempt attempt_in_window(double t1, bool closed);
-    [[nodiscard]] Attempt attempt_stages(double dt, bool closed);
+    [[nodiscard]] Attempt attempt_in_window(double t1, bool closed, double harmless);
+    [[nodiscard]] Attempt attempt_stages(double dt, bool closed, double harmless);
     void update_heat_budget(int stage);
     void find_stored();
     /// The parabola through what was at the stages of the last accepted step. @param stages [stages][n]
@@ -99,7 +100,7 @@ private:
     void predict(int stage, double dt);
     [[nodiscard]] double largest_filtered();
     [[nodiscard]] double estimate_left_out(double dt);
-    [[nodiscard]] double estimate_error(double dt);
+    [[nodiscard]] double estimate_error(double dt, double harmless);
 
     const Problem* problem_;
     System system_;

@@ -36,6 +36,27 @@ TEST(Cholesky, SolvesToRoundOff) {
     }
 }
 
+TEST(Cholesky, AnotherFactorOfThePatternHasItsOwnNumbers) {
+    const mesh::Mesh mesh = cube(8);
+    const Pattern pattern = pattern_of(mesh);
+    const std::vector<double> exact = random_vector(pattern.n);
+    std::vector<double> b(exact.size());
+    std::vector<double> x(exact.size());
+    const auto first = make_cholesky(pattern);
+    ASSERT_EQ(first->factorise(diffusion(mesh, pattern, 0.5)), "");
+    const auto second = first->alike();
+    ASSERT_EQ(second->factorise(diffusion(mesh, pattern, 2.0)), "");
+    EXPECT_EQ(second->description(), first->description());
+    EXPECT_EQ(second->factor_cost(), first->factor_cost());
+    for (const auto& [factor, s] : {std::pair{first.get(), 0.5}, std::pair{second.get(), 2.0}}) {
+        diffusion(mesh, pattern, s).multiply(exact, b);
+        factor->solve(b, x);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            EXPECT_NEAR(x[i], exact[i], 1e-12);
+        }
+    }
+}
+
 TEST(Cholesky, SaysInASentenceThatAMatrixIsNotPositiveDefinite) {
     // Without capacity and without exchange the constants are in the null space; a little below is indefinite.
     const mesh::Mesh mesh = cube(3);

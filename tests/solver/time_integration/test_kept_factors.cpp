@@ -27,9 +27,10 @@ TEST_F(KeptFactorsTest, NoneServesBeforeTheFirst) {
 }
 
 TEST_F(KeptFactorsTest, TheNearestServesWithinReach) {
-    for (const double s : {1.0, 3.0, 9.0}) {
-        renew(s);
-    }
+    renew(1.0);
+    renew(3.0);
+    EXPECT_TRUE(factors_.select(1.0));
+    renew(9.0);
     EXPECT_TRUE(factors_.select(1.4));
     EXPECT_EQ(factors_.s(), 1.0);
     EXPECT_TRUE(factors_.select(2.0));  // 3 is 1.5 times it, 1 half of it and out of reach
@@ -59,9 +60,12 @@ TEST_F(KeptFactorsTest, OneWearsOutByItsSolvesBeyondTheLeast) {
 }
 
 TEST_F(KeptFactorsTest, TheOneLongestOutOfUseGivesWayToTheFifth) {
-    for (const double s : {1.0, 3.0, 9.0, 27.0}) {
-        renew(s);
-    }
+    renew(1.0);
+    renew(3.0);
+    ASSERT_TRUE(factors_.select(1.0));  // steps do not only grow
+    ASSERT_TRUE(factors_.select(3.0));
+    renew(9.0);
+    renew(27.0);
     ASSERT_TRUE(factors_.select(1.0));
     renew(81.0);
     EXPECT_TRUE(factors_.select(1.0));
@@ -69,6 +73,22 @@ TEST_F(KeptFactorsTest, TheOneLongestOutOfUseGivesWayToTheFifth) {
     EXPECT_TRUE(factors_.select(9.0));
     EXPECT_TRUE(factors_.select(27.0));
     EXPECT_TRUE(factors_.select(81.0));
+}
+
+TEST_F(KeptFactorsTest, WhileStepsOnlyGrowTwoTakeTurns) {
+    for (const double s : {1.0, 3.0, 9.0}) {
+        renew(s);
+        ASSERT_TRUE(factors_.select(s));
+    }
+    EXPECT_FALSE(factors_.select(1.0));  // its memory has become that of 9
+    EXPECT_TRUE(factors_.select(3.0));
+    EXPECT_TRUE(factors_.select(9.0));
+}
+
+TEST_F(KeptFactorsTest, AStepTwiceAsLongHasAFactorOfItsOwn) {
+    renew(1.0);
+    EXPECT_FALSE(factors_.select(2.0 * (1.0 - 1e-12)));
+    EXPECT_FALSE(factors_.select(0.5 * (1.0 + 1e-12)));
 }
 
 TEST_F(KeptFactorsTest, ANewOneOfAboutTheSameLengthTakesThePlaceOfTheOld) {
