@@ -64,8 +64,8 @@ void Team::work_on_loop(std::size_t thread) noexcept {
 void Team::help(std::size_t thread) {
     std::uint32_t last = 0;
     for (;;) {
-        std::uint32_t state = wait_for(
-            state_, [last](std::uint32_t now) { return turn_of(now) % 2 == 1 && turn_of(now) != last; });
+        std::uint32_t state =
+            wait_for(state_, [last](std::uint32_t now) { return turn_of(now) % 2 == 1 && turn_of(now) != last; });
         if (!state_.compare_exchange_weak(state, state + 1, std::memory_order_acquire)) {
             continue;
         }

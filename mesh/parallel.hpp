@@ -112,8 +112,9 @@ private:
     void dismiss();
 
     static thread_local Team* now_;
-    std::atomic<std::uint32_t> state_{0};  ///< helpers at work in the last eight bits; the rest is odd while a loop is open
-    std::vector<Part> parts_;              ///< [threads]
+    std::atomic<std::uint32_t> state_{
+        0};                    ///< helpers at work in the last eight bits; the rest is odd while a loop is open
+    std::vector<Part> parts_;  ///< [threads]
     const void* body_ = nullptr;
     void (*call_)(const void*, std::size_t) = nullptr;
 };

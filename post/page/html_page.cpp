@@ -244,7 +244,8 @@ std::string html_page(const Report& report, const PageOrigin& origin) {
     add(origin_section(origin));
     const std::string data = data_html(report, origin);
     constexpr std::size_t rest = 10000;  // characters
-    text.reserve(text.size() + sections.size() + data.size() + assets::charting_library().size() + assets::script().size() + rest);
+    text.reserve(text.size() + sections.size() + data.size() + assets::charting_library().size() +
+                 assets::script().size() + rest);
     text += fmt::format("<nav aria-label=\"sections\">{}</nav>\n</header>\n<main>\n", contents);
     text.append(sections).append("</main>\n").append(data);
     text += fmt::format(

@@ -332,7 +332,8 @@ private:
     State now_;
 };
 
-MarchReport run_in_team(const Problem& problem, const Observer& observer, const Continuation& continuation, KeptForcing* kept) {
+MarchReport run_in_team(const Problem& problem, const Observer& observer, const Continuation& continuation,
+                        KeptForcing* kept) {
     MarchReport report;
     Team::with(at(problem.mesh.n_nodes), [&] { report = Run(problem, observer, continuation, kept).go(); });
     return report;

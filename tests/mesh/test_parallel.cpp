@@ -73,7 +73,8 @@ TEST(Parallel, LargestIsTheFirstOfThoseThatAreEqual) {
     values[700] = values[40000] = 2.0;
     const Threads now(3);
     Largest most;
-    Team::with(values.size(), [&] { most = largest_over_nodes(values.size(), [&](std::size_t i) { return values[i]; }); });
+    Team::with(values.size(),
+               [&] { most = largest_over_nodes(values.size(), [&](std::size_t i) { return values[i]; }); });
     EXPECT_EQ(most.value, 2.0);
     EXPECT_EQ(most.place, 700U);
 }
