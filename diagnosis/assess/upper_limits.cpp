@@ -52,6 +52,9 @@ double half_by_blocks(const Eigen::VectorXd& products, const std::vector<std::si
 
 std::vector<UpperLimit> upper_limits(const DiagnosisState& state) {
     const ScoreTestData& score_data = state.score_data;
+    if (score_data.signatures.size() == 0) {
+        return {};  // stopped before the first one was found
+    }
     const Observations& observations = *score_data.observations;
     const JudgedModel judged = judged_model(state);
     const auto white = [&](Eigen::MatrixXd columns) {

@@ -53,4 +53,14 @@ TEST(UpperLimits, AreTheScoresBesideTheFreeNumbers) {
     }
 }
 
+// A diagnosis that is stopped once the free numbers are fitted has no signature yet, so that nothing bounds what was not looked at.
+TEST(UpperLimits, AreNoneWhereTheWorkWasStoppedBeforeTheSignatures) {
+    input::Experiment experiment = sample::practice_bench();
+    experiment.candidates = {"sidewall_convection"};
+    const Observations observations = observe(experiment);
+    DiagnosisState state = tested_bench(experiment, observations);
+    state.score_data.signatures.resize(0, 0);
+    EXPECT_TRUE(upper_limits(state).empty());
+}
+
 }  // namespace tiretherm::diagnosis
