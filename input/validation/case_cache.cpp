@@ -52,7 +52,7 @@ std::string neighbour(const fs::path& file) {
 
 }  // namespace
 
-// The text of a model of the table stands in the place of the file's.
+// A case that the table makes from another one has no file: its text is in texts_.
 std::optional<TomlValue> CaseCache::parsed(const fs::path& file, InputErrors& errors) const {
     const auto text = texts_.find(file);
     return read_document(file, errors, text == texts_.end() ? nullptr : &text->second);
