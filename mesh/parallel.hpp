@@ -235,9 +235,9 @@ inline void copy_nodes(std::span<const double> from, std::span<double> to) {
     });
 }
 
-inline void fill_nodes(std::span<double> values, double value) {
+inline void clear_nodes(std::span<double> values) {
     over_ranges(values.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-        std::fill_n(values.data() + begin, end - begin, value);
+        std::fill_n(values.data() + begin, end - begin, 0.0);
     });
 }
 

@@ -9,12 +9,6 @@
 
 namespace tiretherm::physics {
 
-namespace {
-
-void clear(std::vector<double>& values) { fill_nodes(values, 0.0); }
-
-}  // namespace
-
 Terms::Terms(const mesh::Mesh& mesh, std::size_t n_effects)
     : face_G(mesh.faces.size()),
       face_dq_dTa(mesh.faces.size()),
@@ -30,21 +24,21 @@ Terms::Terms(const mesh::Mesh& mesh, std::size_t n_effects)
 void Terms::begin(std::span<const double> at_temperature) {
     temperature = at_temperature;
     for (std::vector<double>* values : {&node_G, &node_q, &node_slope, &watts}) {
-        clear(*values);
+        clear_nodes(*values);
     }
     if (faces_used) {
-        clear(face_G);
+        clear_nodes(face_G);
         faces_used = false;
     }
     if (faces_vary) {
-        clear(face_dq_dTa);
-        clear(face_dq_dTb);
+        clear_nodes(face_dq_dTa);
+        clear_nodes(face_dq_dTb);
         faces_vary = false;
     }
     const auto n = at(mesh_->n_nodes);
     for (std::size_t region = 0; region < region_used.size(); ++region) {
         if (region_used[region] != 0) {
-            fill_nodes(std::span(region_slope).subspan(region * n, n), 0.0);
+            clear_nodes(std::span(region_slope).subspan(region * n, n));
             region_used[region] = 0;
         }
     }

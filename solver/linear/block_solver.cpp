@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sweeps over all columns until the estimated error is small; when a sweep leaves more than 35 % of the error, the
-// remaining columns go to the Krylov iteration.
+// Sweeps over eight columns at a time until the estimated error is small; when a sweep leaves more than 35 % of the
+// error, the columns that need more go to the Krylov iteration.
 
 #include "solver/linear/block_solver.hpp"
 
@@ -19,56 +19,84 @@ constexpr int most_sweeps = 40;
 constexpr double least_left = 0.05;
 
 double largest(std::span<const double> values) {
-    std::array<double, 4> most{};  // side by side: one alone would wait for each comparison
-    std::size_t i = 0;
-    for (; i + 4 <= values.size(); i += 4) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            const double size = std::abs(values[i + k]);
-            most[k] = size > most[k] ? size : most[k];
+    double most = 0.0;
+    for (const double value : values) {
+        most = std::max(most, std::abs(value));
+    }
+    return most;
+}
+
+/// Adds a correction. @returns of each column the largest entry of the correction beside that of the sum
+std::array<double, panel_width> add(ConstPanel correction, Panel to) {
+    PanelRow size{};
+    PanelRow change{};
+    in_wide_vectors([&] {
+        PanelRow most{};
+        PanelRow most_by{};
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            to[i] += correction[i];
+            for (std::size_t h = 0; h < most.half.size(); ++h) {
+                const PanelRow::Half here = to[i].half[h] < 0.0 ? -to[i].half[h] : to[i].half[h];
+                const PanelRow::Half by = correction[i].half[h] < 0.0 ? -correction[i].half[h] : correction[i].half[h];
+                most.half[h] = here > most.half[h] ? here : most.half[h];
+                most_by.half[h] = by <= most_by.half[h] ? most_by.half[h] : by;  // what is no number goes on
+            }
         }
+        size = most;
+        change = most_by;
+    });
+    std::array<double, panel_width> shares{};
+    for (std::size_t c = 0; c < panel_width; ++c) {
+        shares[c] = size[c] > 0.0 ? change[c] / size[c] : 0.0;
     }
-    for (; i < values.size(); ++i) {
-        most[0] = std::max(most[0], std::abs(values[i]));
-    }
-    return std::ranges::max(most);
+    return shares;
 }
 
 }  // namespace
 
-BlockSolver::BlockSolver(int n, std::size_t n_columns)
+BlockSolver::BlockSolver(int n)
     : n_(static_cast<std::size_t>(n)),
-      n_columns_(n_columns),
-      residual_(n_ * n_columns),
-      correction_(n_ * n_columns),
-      change_(n_columns),
+      right_(n_),
+      solution_(n_),
+      residual_(n_),
+      correction_(n_),
       krylov_(n),
       column_(n_),
+      column_residual_(n_),
       left_(n_) {}
 
 BlockSolver::Result BlockSolver::solve(const Matrix& J, Factor& factor, std::span<const double> B, std::span<double> X,
                                        double tolerance) {
+    const std::size_t n_columns = X.size() / n_;
+    Result result{.converged = true};
+    for (std::size_t first = 0; first < n_columns; first += panel_width) {
+        const std::size_t width = std::min(panel_width, n_columns - first);
+        const Result one =
+            solve_panel(J, factor, B.subspan(first * n_, width * n_), X.subspan(first * n_, width * n_), tolerance);
+        result.converged = result.converged && one.converged;
+        result.sweeps = std::max(result.sweeps, one.sweeps);
+    }
+    return result;
+}
+
+/// @param B, X [width][n]
+BlockSolver::Result BlockSolver::solve_panel(const Matrix& J, Factor& factor, std::span<const double> B,
+                                             std::span<double> X, double tolerance) {
     Result result;
     double before = 0.0;
+    pack(B, right_);
+    pack(X, solution_);
     while (result.sweeps < most_sweeps) {
-        J.multiply_block(X, residual_, n_columns_);
-        for (std::size_t i = 0; i < residual_.size(); ++i) {
-            residual_[i] = B[i] - residual_[i];
-        }
-        factor.solve_block(residual_, correction_, n_columns_);
+        J.find_residual(right_, solution_, residual_);
+        factor.solve_panel(residual_, correction_);
         ++result.sweeps;
+        const std::array<double, panel_width> change = add(correction_, solution_);
         double now = 0.0;
-        for (std::size_t j = 0; j < n_columns_; ++j) {
-            const std::span<double> x = X.subspan(j * n_, n_);
-            const std::span<const double> correction = std::span(correction_).subspan(j * n_, n_);
-            for (std::size_t i = 0; i < n_; ++i) {
-                x[i] += correction[i];
+        for (const double of_column : change) {
+            if (!std::isfinite(of_column)) {
+                return result;
             }
-            const double size = largest(x);
-            change_[j] = size > 0.0 ? largest(correction) / size : 0.0;
-            now = std::max(now, change_[j]);
-        }
-        if (!std::isfinite(now)) {
-            return result;
+            now = std::max(now, of_column);
         }
         if (before > 0.0) {
             contraction_ = now / before;
@@ -76,41 +104,43 @@ BlockSolver::Result BlockSolver::solve(const Matrix& J, Factor& factor, std::spa
         const double left = before > 0.0 ? contraction_ : std::max(least_left, contraction_);
         before = now;
         // What the next sweep would change, were it to contract as the last.
-        if (now * std::min(1.0, left / std::max(1e-3, 1.0 - left)) <= tolerance) {
-            result.converged = true;
-            return result;
-        }
-        if (result.sweeps > 1 && contraction_ > slow) {
-            result.converged = finish_columns(J, factor, B, X, tolerance, result);
+        result.converged = now * std::min(1.0, left / std::max(1e-3, 1.0 - left)) <= tolerance;
+        const bool is_slow = result.sweeps > 1 && contraction_ > slow;
+        if (result.converged || is_slow) {
+            unpack(solution_, X);
+            if (!result.converged) {
+                finish_columns(J, factor, B, X, change, tolerance, result);
+            }
             return result;
         }
     }
     return result;
 }
 
-bool BlockSolver::finish_columns(const Matrix& J, Factor& factor, std::span<const double> B, std::span<double> X,
-                                 double tolerance, Result& result) {
-    J.multiply_block(X, residual_, n_columns_);
+/// @param change of each column by the last sweep, beside its largest entry
+void BlockSolver::finish_columns(const Matrix& J, Factor& factor, std::span<const double> B, std::span<double> X,
+                                 std::span<const double> change, double tolerance, Result& result) {
+    const std::size_t width = X.size() / n_;
     int solves = 0;
-    bool converged = true;
-    for (std::size_t j = 0; j < n_columns_; ++j) {
-        if (change_[j] * contraction_ <= tolerance) {
+    result.converged = true;
+    for (std::size_t j = 0; j < width; ++j) {
+        if (change[j] * contraction_ <= tolerance) {
             continue;
         }
         const std::span<double> x = X.subspan(j * n_, n_);
-        const std::span<double> r = std::span(residual_).subspan(j * n_, n_);
+        J.multiply(x, column_residual_);
         for (std::size_t i = 0; i < n_; ++i) {
-            r[i] = B[j * n_ + i] - r[i];
+            column_residual_[i] = B[j * n_ + i] - column_residual_[i];
         }
-        const Krylov::Result found = krylov_.solve(J, factor, r, column_, left_, tolerance * largest(x), 0.0);
-        converged = converged && found.converged;
+        const Krylov::Result found =
+            krylov_.solve(J, factor, column_residual_, column_, left_, tolerance * largest(x), 0.0);
+        result.converged = result.converged && found.converged;
         solves += found.solves;
         for (std::size_t i = 0; i < n_; ++i) {
             x[i] += column_[i];
         }
     }
-    result.sweeps += (solves + static_cast<int>(n_columns_) - 1) / static_cast<int>(n_columns_);
-    return converged;
+    result.sweeps += (solves + static_cast<int>(width) - 1) / static_cast<int>(width);
 }
 
 }  // namespace tiretherm::solver

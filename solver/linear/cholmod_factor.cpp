@@ -82,10 +82,8 @@ public:
         cholmod_free_sparse(&matrix_, &common_);
         cholmod_free_factor(&analysis_, &common_);
         cholmod_free_factor(&factor_, &common_);
-        for (Buffers* buffers : {&one_, &many_}) {
-            cholmod_free_dense(&buffers->solution, &common_);
-            cholmod_free_dense(&buffers->y, &common_);
-            cholmod_free_dense(&buffers->e, &common_);
+        for (cholmod_dense** buffer : {&solution_, &y_, &e_}) {
+            cholmod_free_dense(buffer, &common_);
         }
         cholmod_finish(&common_);
     }
@@ -111,7 +109,7 @@ public:
     /// time itself.
     void solve(std::span<const double> b, std::span<double> x) override {
         if (!is_simplicial()) {
-            solve_with(one_, b, x, 1);
+            solve_supernodal(b, x);
             return;
         }
         solve_one(b, x);
@@ -119,16 +117,13 @@ public:
 
     /// CHOLMOD takes four columns at a time through a simplicial factor; eight side by side fetch each entry half as often
     /// and keep the processor's vectors full.
-    void solve_block(std::span<const double> B, std::span<double> X, std::size_t n_columns) override {
+    void solve_panel(ConstPanel B, Panel X) override {
         if (!is_simplicial()) {
-            solve_with(many_, B, X, n_columns);
+            Factor::solve_panel(B, X);
             return;
         }
-        const std::size_t n = matrix_->nrow;
-        for (std::size_t done = 0; done < n_columns; done += at_once) {
-            const std::size_t width = std::min(at_once, n_columns - done);
-            solve_side_by_side(B.subspan(done * n, width * n), X.subspan(done * n, width * n), width);
-        }
+        panel_.resize(matrix_->nrow);
+        in_wide_vectors([&] { solve_side_by_side(B, X); });
     }
 
     [[nodiscard]] std::unique_ptr<Factor> alike() const override { return std::make_unique<CholeskyFactor>(*this); }
@@ -190,8 +185,8 @@ private:
         const auto* count = static_cast<const int*>(factor_->nz);
         const auto* row = static_cast<const int*>(factor_->i);
         const auto* value = static_cast<const double*>(factor_->x);
-        side_by_side_.resize(std::max(n, side_by_side_.size()));
-        double* const y = side_by_side_.data();
+        ordered_.resize(n);
+        double* const y = ordered_.data();
         for (std::size_t k = 0; k < n; ++k) {
             y[k] = b[static_cast<std::size_t>(order[k])];
         }
@@ -222,38 +217,21 @@ private:
         }
     }
 
-    static constexpr std::size_t at_once = 8;
-    /// What a solve works in, for one number of columns.
-    struct Buffers {
-        cholmod_dense* solution = nullptr;
-        cholmod_dense* y = nullptr;
-        cholmod_dense* e = nullptr;
-    };
-
-    void solve_with(Buffers& buffers, std::span<const double> B, std::span<double> X, std::size_t n_columns) {
-        const std::size_t n = matrix_->nrow;
+    void solve_supernodal(std::span<const double> b, std::span<double> x) {
         cholmod_dense right{};
-        right.nrow = right.d = n;
-        right.ncol = n_columns;
-        right.nzmax = B.size();
-        right.x = const_cast<double*>(B.data());  // CHOLMOD only reads it
+        right.nrow = right.d = right.nzmax = b.size();
+        right.ncol = 1;
+        right.x = const_cast<double*>(b.data());  // CHOLMOD only reads it
         right.xtype = CHOLMOD_REAL;
         right.dtype = CHOLMOD_DOUBLE;
-        if (buffers.y != nullptr && factor_->is_super == 0) {
-            // A simplicial solve leaves its workspace in another shape and allocates it anew unless it finds the first.
-            buffers.y->nrow = buffers.y->d = buffers.y->nzmax / n;
-            buffers.y->ncol = n;
-        }
-        if (cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &buffers.solution, nullptr, &buffers.y, &buffers.e,
-                           &common_) == 0) {
+        if (cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &solution_, nullptr, &y_, &e_, &common_) == 0) {
             throw std::runtime_error("CHOLMOD could not solve: " + status());
         }
-        const auto* result = static_cast<const double*>(buffers.solution->x);
-        std::copy(result, result + X.size(), X.begin());
+        std::copy_n(static_cast<const double*>(solution_->x), x.size(), x.begin());
     }
 
-    /// L L' X = B in the factor's order, row by row with its columns next to each other. @param width <= at_once
-    void solve_side_by_side(std::span<const double> B, std::span<double> X, std::size_t width) {
+    /// L L' X = B in the factor's order, row by row with its columns next to each other.
+    void solve_side_by_side(ConstPanel B, Panel X) {
         assert(factor_->xtype == CHOLMOD_REAL);  // it has been factorised
         const std::size_t n = matrix_->nrow;
         const auto* order = static_cast<const int*>(factor_->Perm);
@@ -261,48 +239,33 @@ private:
         const auto* count = static_cast<const int*>(factor_->nz);
         const auto* row = static_cast<const int*>(factor_->i);
         const auto* value = static_cast<const double*>(factor_->x);
-        side_by_side_.resize(n * at_once);
-        double* const y = side_by_side_.data();
+        PanelRow* const y = panel_.data();
         for (std::size_t k = 0; k < n; ++k) {
-            const auto from = static_cast<std::size_t>(order[k]);
-            for (std::size_t c = 0; c < width; ++c) {
-                y[k * at_once + c] = B[c * n + from];
-            }
+            y[k] = B[static_cast<std::size_t>(order[k])];
         }
         for (std::size_t j = 0; j < n; ++j) {
-            std::array<double, at_once> here;
-            const int first = start[j];
-            const double diagonal = inverse_[j];
-            for (std::size_t c = 0; c < at_once; ++c) {
-                here[c] = y[j * at_once + c] *= diagonal;
-            }
-            for (int e = first + 1; e < first + count[j]; ++e) {
-                double* const there = y + static_cast<std::size_t>(row[e]) * at_once;
-                for (std::size_t c = 0; c < at_once; ++c) {
-                    there[c] -= value[e] * here[c];
-                }
+            const PanelRow here = y[j] = inverse_[j] * y[j];
+            for (int e = start[j] + 1; e < start[j] + count[j]; ++e) {
+                y[row[e]] -= value[e] * here;
             }
         }
         for (std::size_t j = n; j-- > 0;) {
-            std::array<double, at_once> here;
-            std::copy_n(y + j * at_once, at_once, here.begin());
-            const int first = start[j];
-            for (int e = first + 1; e < first + count[j]; ++e) {
-                const double* const there = y + static_cast<std::size_t>(row[e]) * at_once;
-                for (std::size_t c = 0; c < at_once; ++c) {
-                    here[c] -= value[e] * there[c];
-                }
+            // Two sums side by side: one alone would wait for each subtraction.
+            PanelRow here = y[j];
+            PanelRow other{};
+            int e = start[j] + 1;
+            const int end = start[j] + count[j];
+            for (; e + 2 <= end; e += 2) {
+                here -= value[e] * y[row[e]];
+                other -= value[e + 1] * y[row[e + 1]];
             }
-            const double diagonal = inverse_[j];
-            for (std::size_t c = 0; c < at_once; ++c) {
-                y[j * at_once + c] = here[c] * diagonal;
+            if (e < end) {
+                here -= value[e] * y[row[e]];
             }
+            y[j] = inverse_[j] * (here += other);
         }
         for (std::size_t k = 0; k < n; ++k) {
-            const auto to = static_cast<std::size_t>(order[k]);
-            for (std::size_t c = 0; c < width; ++c) {
-                X[c * n + to] = y[k * at_once + c];
-            }
+            X[static_cast<std::size_t>(order[k])] = y[k];
         }
     }
 
@@ -326,11 +289,13 @@ private:
     cholmod_sparse* matrix_ = nullptr;
     cholmod_factor* analysis_ = nullptr;  ///< without numbers, to be copied
     cholmod_factor* factor_ = nullptr;
-    Buffers one_;
-    Buffers many_;
-    std::vector<double> inverse_;       ///< [n] of the factor's diagonal
-    std::vector<double> side_by_side_;  ///< [n], or [n][at_once] once several columns were solved
-    std::vector<int> source_;           ///< place in the pattern of each entry of the lower triangle
+    cholmod_dense* solution_ = nullptr;  ///< this and the next two: what a supernodal solve works in
+    cholmod_dense* y_ = nullptr;
+    cholmod_dense* e_ = nullptr;
+    std::vector<double> inverse_;  ///< [n] of the factor's diagonal
+    std::vector<double> ordered_;  ///< [n]
+    std::vector<PanelRow> panel_;  ///< [n] once a panel was solved
+    std::vector<int> source_;      ///< place in the pattern of each entry of the lower triangle
     double entries_ = 0.0;
     double flops_ = 0.0;
 };

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "solver/linear/matrix.hpp"
+#include "solver/linear/panel.hpp"
 
 namespace tiretherm::solver {
 
@@ -37,11 +38,20 @@ public:
         solve(b, x);
         return 1;
     }
-    /// The same for several right-hand sides, one after the other in memory. @param B, X [n_columns][n]
-    virtual void solve_block(std::span<const double> B, std::span<double> X, std::size_t n_columns) {
-        const std::size_t n = B.size() / n_columns;
-        for (std::size_t j = 0; j < n_columns; ++j) {
-            solve(B.subspan(j * n, n), X.subspan(j * n, n));
+    /// The same for a panel of right-hand sides.
+    virtual void solve_panel(ConstPanel B, Panel X) {
+        const std::size_t n = B.size();
+        column_.resize(2 * n);
+        const std::span<double> b = std::span(column_).first(n);
+        const std::span<double> x = std::span(column_).last(n);
+        for (std::size_t c = 0; c < panel_width; ++c) {
+            for (std::size_t i = 0; i < n; ++i) {
+                b[i] = B[i][c];
+            }
+            solve(b, x);
+            for (std::size_t i = 0; i < n; ++i) {
+                X[i].set(c, x[i]);
+            }
         }
     }
     /// Another factor of the same pattern, which is not analysed again; not yet usable. Null where only one is ever of use.
@@ -51,6 +61,9 @@ public:
     /// Whether `solve` is exact for the matrix that was factorised.
     [[nodiscard]] virtual bool is_exact() const = 0;
     [[nodiscard]] virtual std::string description() const = 0;
+
+private:
+    std::vector<double> column_;  ///< [2][n] of `solve_panel`
 };
 
 /// Sparse Cholesky factor by CHOLMOD.

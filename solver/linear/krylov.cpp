@@ -74,7 +74,7 @@ Krylov::Result Krylov::solve(const Matrix& J, Factor& factor, std::span<const do
                              std::span<double> residual, double tolerance, double relative_tolerance) {
     const std::span<double> r = residual;
     copy_nodes(b, r);
-    fill_nodes(x, 0.0);
+    clear_nodes(x);
     Result result;
     const double tiny = round_off * largest(b);
     if (tiny == 0.0) {

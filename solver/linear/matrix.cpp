@@ -135,4 +135,56 @@ void Matrix::multiply_block(std::span<const double> X, std::span<double> Y, std:
     }
 }
 
+namespace {
+
+/// R -= scale * left * (right' X) of an outer product, whose weights of the mean stand at some nodes.
+void subtract_outer(const Matrix::Outer& term, bool transposed, ConstPanel X, Panel R) {
+    const auto& nodes = term.mean->nodes;
+    const auto& weights = term.mean->weights;
+    PanelRow sum{};
+    if (transposed) {
+        for (std::size_t i = 0; i < X.size(); ++i) {
+            sum += term.row[i] * X[i];
+        }
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            R[at(nodes[i])] -= term.scale * weights[i] * sum;
+        }
+        return;
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        sum += term.scale * weights[i] * X[at(nodes[i])];
+    }
+    for (std::size_t i = 0; i < R.size(); ++i) {
+        R[i] -= term.row[i] * sum;
+    }
+}
+
+}  // namespace
+
+void Matrix::find_residual(ConstPanel B, ConstPanel X, Panel R) const {
+    const Pattern& p = *pattern;
+    in_wide_vectors([&] {
+        if (transposed) {
+            std::ranges::copy(B, R.begin());
+        }
+        for (std::size_t i = 0; i < X.size(); ++i) {
+            if (transposed) {
+                const PanelRow here = X[i];
+                for (std::size_t e = at(p.start[i]); e < at(p.start[i + 1]); ++e) {
+                    R[at(p.column[e])] -= value[e] * here;
+                }
+                continue;
+            }
+            PanelRow here = B[i];
+            for (std::size_t e = at(p.start[i]); e < at(p.start[i + 1]); ++e) {
+                here -= value[e] * X[at(p.column[e])];
+            }
+            R[i] = here;
+        }
+        for (const Outer& term : outer) {
+            subtract_outer(term, transposed, X, R);
+        }
+    });
+}
+
 }  // namespace tiretherm::solver

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "solver/linear/panel.hpp"
 
 namespace tiretherm::solver {
 
@@ -29,7 +30,7 @@ struct Matrix {
     const Pattern* pattern = nullptr;
     std::vector<double> value;  ///< [n_nonzeros]
     bool symmetric = true;
-    bool transposed = false;  ///< stands for the transposed matrix in `multiply` and `multiply_block`
+    bool transposed = false;  ///< stands for the transposed matrix in all products
 
     /// One law of a region's mean: adds scale * row * (weights of the mean)'.
     struct Outer {
@@ -45,6 +46,8 @@ struct Matrix {
     void multiply_transposed(std::span<const double> x, std::span<double> y) const;
     /// Y = M X for several columns, one after the other in memory. Allocates nothing. @param X, Y [n_columns][n]
     void multiply_block(std::span<const double> X, std::span<double> Y, std::size_t n_columns) const;
+    /// R = B - M X. Allocates nothing.
+    void find_residual(ConstPanel B, ConstPanel X, Panel R) const;
 };
 
 }  // namespace tiretherm::solver

@@ -21,6 +21,7 @@ AdjointRecord::AdjointRecord(const Problem& problem, std::span<const double> tim
       n_(at(problem.mesh.n_nodes)),
       stepper_(problem_),
       factor_(make_factor(stepper_.system().pattern(), problem.settings.linear_solver)),
+      settling_(stepper_.system()),
       n_samples_(times.size() * problem.channels.size()) {
     SensorOutputs sensor_outputs(problem_, stepper_.system());
     const double start = problem_.settings.start;

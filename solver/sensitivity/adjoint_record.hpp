@@ -10,6 +10,7 @@
 
 #include "solver/linear/block_solver.hpp"
 #include "solver/sensitivity/prediction.hpp"
+#include "solver/sensitivity/surfaces.hpp"
 #include "solver/time_integration/sensor_outputs.hpp"
 #include "solver/time_integration/stepper.hpp"
 
@@ -33,7 +34,8 @@ public:
 
     /// Gives the heat of one step, [n_heats][n_nodes] W, in place of that of the step before.
     using Heats = std::function<void(std::size_t step, std::span<double> heat)>;
-    /// How the channels answer to several histories of heat, each constant over each step.
+    /// How the channels answer to several histories of heat, each constant over each step. Those that begin last stand
+    /// last: what has not begun is not solved.
     /// @param tolerance of the linear solutions, beside the largest entry
     /// @returns [n_heats][n_times][n_channels] SI, of what follows no temperature 0
     [[nodiscard]] std::vector<double> forward(std::size_t n_heats, const Heats& heats, double tolerance = round_off);
@@ -73,15 +75,17 @@ private:
     void linearise(const Step& step);
     void solve(BlockSolver& solver, const Matrix& J, std::span<const double> B, std::span<double> X, double tolerance,
                std::size_t step);
-    void settle(const Matrix& J, std::span<const double> right, double scale, std::span<double> x,
-                std::span<double> product);
-    void settle_back(std::span<double> adjoint, std::span<double> heat, std::span<double> w, std::span<double> product);
+    void settle(const Matrix& J, std::span<const double> right, double scale, double tolerance, std::span<double> x);
+    [[nodiscard]] std::size_t begun(std::span<const double> heat) const;
+    void settle_back(std::span<double> adjoint, std::span<double> heat, double tolerance, std::span<double> w,
+                     std::span<double> product);
 
     const Problem problem_;
     Status status_;
     std::size_t n_ = 0;
     Stepper stepper_;
     std::unique_ptr<Factor> factor_;
+    SurfaceSettling settling_;
     std::vector<Step> steps_;
     std::vector<OutputSample> samples_;      ///< ascending in their steps
     std::vector<std::size_t> first_sample_;  ///< [n_steps + 1]

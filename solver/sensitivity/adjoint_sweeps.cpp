@@ -7,7 +7,7 @@
 
 #include "mesh/index.hpp"
 #include "solver/sensitivity/adjoint_record.hpp"
-#include "solver/sensitivity/surfaces.hpp"
+#include "solver/sensitivity/stage_guess.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::solver {
@@ -64,24 +64,24 @@ void AdjointRecord::solve(BlockSolver& solver, const Matrix& J, std::span<const 
     }
 }
 
-/// Of the explicit stage. @param x, right, product [n_columns][n_nodes]  @param J its matrix, or the transpose
-void AdjointRecord::settle(const Matrix& J, std::span<const double> right, double scale, std::span<double> x,
-                           std::span<double> product) {
+/// Of the explicit stage. @param x, right [n_columns][n_nodes]  @param J its matrix, or the transpose
+void AdjointRecord::settle(const Matrix& J, std::span<const double> right, double scale, double tolerance,
+                           std::span<double> x) {
     constexpr double exact = 1e-15;
-    if (Status status = settle_surfaces(stepper_.system(), J, right, scale, exact, x, product); !status.ok()) {
+    if (Status status = settling_.settle(J, right, scale, std::max(exact, 1e-3 * tolerance), x); !status.ok()) {
         status_ = std::move(status);
     }
 }
 
 /// Backwards: w_s = J_ss^-T adjoint_s goes to the heat and, through J_sc, to the cells.
 /// @param adjoint, heat, w, product [n_sums][n_nodes]
-void AdjointRecord::settle_back(std::span<double> adjoint, std::span<double> heat, std::span<double> w,
-                                std::span<double> product) {
+void AdjointRecord::settle_back(std::span<double> adjoint, std::span<double> heat, double tolerance,
+                                std::span<double> w, std::span<double> product) {
     const System& system = stepper_.system();
     std::ranges::fill(w, 0.0);
     {
         const Transposed J(now_.J.front());
-        settle(*J, adjoint, 1.0, w, product);
+        settle(*J, adjoint, 1.0, tolerance, w);
         J->multiply_block(w, product, adjoint.size() / n_);
     }
     for (std::size_t first = 0; first < w.size(); first += n_) {
@@ -96,19 +96,29 @@ void AdjointRecord::settle_back(std::span<double> adjoint, std::span<double> hea
     }
 }
 
+/// @param heat [n_heats][n_nodes]  @returns the number of the last heat that is not zero, counted from 1
+std::size_t AdjointRecord::begun(std::span<const double> heat) const {
+    std::size_t i = heat.size();
+    while (i > 0 && heat[i - 1] == 0.0) {
+        --i;
+    }
+    return (i + n_ - 1) / n_;
+}
+
 std::vector<double> AdjointRecord::forward(std::size_t n_heats, const Heats& heats, double tolerance) {
     const Tableau& method = stepper_.method();
     const System& system = stepper_.system();
     const std::size_t stages = at(method.stages);
-    const std::size_t all = n_heats * n_;
+    const std::size_t most = n_heats * n_;
     const std::size_t channels = places_.size();
-    BlockSolver solver(static_cast<int>(n_), n_heats);
+    BlockSolver solver(static_cast<int>(n_));
     std::vector<double> answer(n_heats * n_samples_);
-    std::vector<std::vector<double>> S(stages, std::vector<double>(all));
-    std::vector<std::vector<double>> dq(stages, std::vector<double>(all));
-    std::vector<double> heat(all);
-    std::vector<double> known(all);
-    std::vector<double> right(all);
+    std::vector<std::vector<double>> S(stages, std::vector<double>(most));
+    std::vector<std::vector<double>> dq(stages, std::vector<double>(most));
+    std::vector<double> before(most);
+    std::vector<double> heat(most);
+    std::vector<double> known(most);
+    std::vector<double> right(most);
     std::vector<double> lagged(n_heats * channels);
     const auto read = [&](const SensorOutputs::Form& form, std::size_t channel, std::size_t h) {
         double value = form.lagged * lagged[h * channels + channel];
@@ -117,18 +127,25 @@ std::vector<double> AdjointRecord::forward(std::size_t n_heats, const Heats& hea
         }
         return value;
     };
+    std::size_t n_begun = 0;  // heats that have been other than zero, and all before them
     for (std::size_t k = 0; k < steps_.size() && status_.ok(); ++k) {
         leave_if_stopped();
         const Step& step = steps_[k];
         linearise(step);
+        const double per_s = 1.0 / now_.s;
         heats(k, heat);
-        std::swap(S.front(), S.back());
-        settle(now_.J.front(), heat, now_.s, S[0], right);
-        now_.J[0].multiply_block(S[0], right, n_heats);
-        for (std::size_t i = 0; i < n_; ++i) {
-            const bool moves = system.has_capacity(i);
-            for (std::size_t at = i; at < all; at += n_) {
-                dq[0][at] = moves ? (now_.capacity[0][i] * S[0][at] - right[at]) / now_.s + heat[at] : 0.0;
+        n_begun = std::max(n_begun, begun(heat));
+        const std::size_t all = n_begun * n_;
+        const double last_width = k > 0 ? steps_[k - 1].dt : 0.0;
+        before = S[stages - 2];
+        S.front() = S.back();
+        settle(now_.J.front(), heat, now_.s, tolerance, std::span(S[0]).first(all));
+        now_.J[0].multiply_block(S[0], right, n_begun);
+        for (std::size_t first = 0; first < all; first += n_) {
+            for (std::size_t i = 0; i < n_; ++i) {
+                const std::size_t at = first + i;
+                const double flow = per_s * (now_.capacity[0][i] * S[0][at] - right[at]) + heat[at];
+                dq[0][at] = system.has_capacity(i) ? flow : 0.0;
             }
         }
         for (std::size_t stage = 1; stage < stages; ++stage) {
@@ -147,21 +164,21 @@ std::vector<double> AdjointRecord::forward(std::size_t n_heats, const Heats& hea
             for (std::size_t i = 0; i < all; ++i) {
                 right[i] = known[i] + now_.s * heat[i];
             }
-            S[stage] = S[stage - 1];
-            solve(solver, now_.J[stage], right, S[stage], tolerance, k);
+            guess_stage(method, static_cast<int>(stage), step.dt, last_width, S, before);
+            solve(solver, now_.J[stage], right, std::span(S[stage]).first(all), tolerance, k);
             for (std::size_t first = 0; first < all; first += n_) {
                 for (std::size_t i = 0; i < n_; ++i) {
-                    dq[stage][first + i] = (capacity[i] * S[stage][first + i] - known[first + i]) / now_.s;
+                    dq[stage][first + i] = per_s * (capacity[i] * S[stage][first + i] - known[first + i]);
                 }
             }
         }
         for (std::size_t r = first_sample_[k]; r < first_sample_[k + 1]; ++r) {
             const OutputSample& sample = samples_[r];
-            for (std::size_t h = 0; h < n_heats; ++h) {
+            for (std::size_t h = 0; h < n_begun; ++h) {
                 answer[h * n_samples_ + sample.place] += read(sample.form, sample.channel, h);
             }
         }
-        for (std::size_t h = 0; h < n_heats; ++h) {
+        for (std::size_t h = 0; h < n_begun; ++h) {
             for (std::size_t c = 0; c < channels; ++c) {
                 lagged[h * channels + c] = read(step.carry[c], c, h);
             }
@@ -179,7 +196,7 @@ public:
           n_sums_(n_sums),
           n_(record.n_),
           tolerance_(tolerance),
-          solver_(static_cast<int>(record.n_), n_sums) {
+          solver_(static_cast<int>(record.n_)) {
         const std::size_t all = n_sums * n_;
         const std::size_t stages = at(record.stepper_.method().stages);
         for (std::vector<std::vector<double>>* blocks : {&of_S_, &of_dq_, &z_}) {
@@ -290,7 +307,7 @@ private:
         for_all([&](std::size_t i, std::size_t node) {
             of_S[i] += (now.capacity[0][node] * of_dq[i] - product_[i]) / now.s + of_begin_[i];
         });
-        record_->settle_back(of_S, heat_, of_end_, product_);
+        record_->settle_back(of_S, heat_, tolerance_, of_end_, product_);
     }
 
     AdjointRecord* record_;

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "mesh/index.hpp"
-#include "solver/sensitivity/surfaces.hpp"
+#include "solver/sensitivity/stage_guess.hpp"
 
 namespace tiretherm::solver {
 
@@ -27,7 +27,8 @@ Tangent::Tangent(const Problem& problem, Stepper& stepper, std::span<const FreeP
       system_(&stepper.system()),
       n_(at(system_->size())),
       tolerance_(tolerance),
-      solver_(system_->size(), parameters.size()) {
+      solver_(system_->size()),
+      settling_(*system_) {
     for (std::size_t j = 0; j < parameters.size(); ++j) {
         perturbations_.push_back(std::make_unique<ParameterPerturbation>(problem, parameters[j], values[j]));
     }
@@ -96,8 +97,7 @@ Status Tangent::start_step(double s) {
     system_->evaluate(T, stepper_->coefficients(0));
     system_->matrices(s, false, A_, J_);
     find_flow_slopes(0, T);
-    if (Status status = settle_surfaces(*system_, J_, partial_, s, 1e-3 * tolerance_, S_.front(), product_);
-        !status.ok()) {
+    if (Status status = settling_.settle(J_, partial_, s, 1e-3 * tolerance_, S_.front()); !status.ok()) {
         return status;
     }
     find_capacities(T);
@@ -116,25 +116,6 @@ Status Tangent::start_step(double s) {
     return {};
 }
 
-/// First guess of a stage: straight on from the last step, then along the stages found so far.
-void Tangent::guess(int stage, double dt) {
-    const Tableau& method = stepper_->method();
-    Block& S = S_[at(stage)];
-    const Block& now = S_.front();
-    if (stage == 1) {
-        const double c = method.c[at(method.stages) - 2];
-        const double rate = last_width_ > 0.0 ? method.c[1] * dt / ((1.0 - c) * last_width_) : 0.0;
-        for (std::size_t i = 0; i < S.size(); ++i) {
-            S[i] = now[i] + rate * (now[i] - before_[i]);
-        }
-        return;
-    }
-    const double rate = method.c[at(stage)] / method.c[1];
-    for (std::size_t i = 0; i < S.size(); ++i) {
-        S[i] = now[i] + rate * (S_[1][i] - now[i]);
-    }
-}
-
 Status Tangent::solve_stage(int stage, double dt) {
     const Tableau& method = stepper_->method();
     const double s = dt * method.diagonal;
@@ -142,7 +123,7 @@ Status Tangent::solve_stage(int stage, double dt) {
     system_->evaluate(T, stepper_->coefficients(stage));
     system_->matrices(s, false, A_, J_);
     find_flow_slopes(stage, T);
-    guess(stage, dt);
+    guess_stage(method, stage, dt, last_width_, S_, before_);
     for (std::size_t j = 0; j < size(); ++j) {
         perturbations_[j]->enthalpy(T, column(product_, j));
     }

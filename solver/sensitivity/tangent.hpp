@@ -9,6 +9,7 @@
 
 #include "solver/linear/block_solver.hpp"
 #include "solver/sensitivity/parameter_perturbation.hpp"
+#include "solver/sensitivity/surfaces.hpp"
 #include "solver/time_integration/stepper.hpp"
 
 namespace tiretherm::solver {
@@ -55,7 +56,6 @@ private:
     void find_capacities(std::span<const double> T);
     [[nodiscard]] Status start_step(double s);
     [[nodiscard]] Status solve_stage(int stage, double dt);
-    void guess(int stage, double dt);
 
     const Problem* problem_;
     Stepper* stepper_;
@@ -64,6 +64,7 @@ private:
     double tolerance_;
     std::vector<std::unique_ptr<ParameterPerturbation>> perturbations_;
     BlockSolver solver_;
+    SurfaceSettling settling_;
     Matrix A_;
     Matrix J_;
     std::vector<Block> S_;   ///< [stages] dT/dp

@@ -58,7 +58,7 @@ Newton::Newton(System& system)
 void Newton::find_residual(const Stage& stage, std::span<const double> T) {
     const std::span<const double> q = system_->heat_flow();
     if (stage.steady) {
-        fill_nodes(enthalpy_, 0.0);
+        clear_nodes(enthalpy_);
     } else {
         system_->enthalpy(T, enthalpy_);
     }

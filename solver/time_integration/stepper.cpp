@@ -255,7 +255,7 @@ void Stepper::interpolate_watts(double t, std::span<double> watts) const { inter
 
 void Stepper::interpolate(double t, const std::vector<std::vector<double>>& stages, std::span<double> out) const {
     const double x = (t - now_.step_begin) / (now_.time - now_.step_begin);
-    fill_nodes(out, 0.0);
+    clear_nodes(out);
     for (int i = 0; i < tableau_->stages; ++i) {
         double basis = 1.0;
         for (int j = 0; j < tableau_->stages; ++j) {

@@ -93,7 +93,8 @@ TEST(AdjointRecord, BackwardsIsTheTransposedOfForwards) {
     }
 }
 
-// Three courses side by side, of sizes eleven decades apart and one of them nothing, answer as each by itself.
+// Ten courses side by side, of sizes eleven decades apart, one of them nothing, and the last two from the middle of the run on,
+// answer as each by itself: more than fit side by side in a panel.
 TEST(AdjointRecord, CoursesOfHeatDoNotMix) {
     const Problem problem = tire();
     const std::vector<double> times = every(10.0, 300.0);
@@ -101,13 +102,16 @@ TEST(AdjointRecord, CoursesOfHeatDoNotMix) {
     AdjointRecord record(problem, times, run.step_ends);
     ASSERT_TRUE(record.status().ok()) << record.status().message;
     std::vector<std::vector<double>> heats;
-    for (const double size : {1e-5, 1e6, 0.0}) {
+    for (const double size : {1e-5, 1e6, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}) {
         heats.push_back(random_numbers(record.n_steps() * record.n_nodes(), 7));
         for (double& watts : heats.back()) {
             watts *= size;
         }
     }
     std::ranges::reverse(heats[1]);
+    for (std::vector<double>* late : {&heats[8], &heats[9]}) {
+        std::fill_n(late->begin(), record.n_steps() / 2 * record.n_nodes(), 0.0);
+    }
     const std::vector<double> together = record.forward(heats.size(), [&](std::size_t step, std::span<double> of_step) {
         for (std::size_t h = 0; h < heats.size(); ++h) {
             std::copy_n(heats[h].begin() + static_cast<std::ptrdiff_t>(step * record.n_nodes()), record.n_nodes(),

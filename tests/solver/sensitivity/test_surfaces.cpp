@@ -31,7 +31,7 @@ struct Settling {
         }
         product.resize(2 * n);
     }
-    [[nodiscard]] Status settle() { return settle_surfaces(whole.system(), J, right, scale, 1e-15, x, product); }
+    [[nodiscard]] Status settle() { return SurfaceSettling(whole.system()).settle(J, right, scale, 1e-15, x); }
 
     physics::Whole whole{physics::section(), {{"conduction"}, {"air_convection"}, {"sidewall_convection"}}};
     Matrix A;
