@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Builds the compressed-row pattern from the faces of a mesh; products with the matrix, its transpose and blocks of
-// columns (four at a time).
+// Builds the compressed-row pattern from the faces of a mesh; products with the matrix, its transpose and panels
+// of columns.
 
 #include "solver/linear/matrix.hpp"
 
@@ -95,43 +95,9 @@ void Matrix::multiply_transposed(std::span<const double> x, std::span<double> y)
 }
 
 void Matrix::multiply_block(std::span<const double> X, std::span<double> Y, std::size_t n_columns) const {
-    // Four columns share each entry that is fetched.
-    constexpr std::size_t at_once = 4;
-    const Pattern& p = *pattern;
-    const std::size_t n = at(p.n);
-    std::size_t done = 0;
-    for (; !transposed && done + at_once <= n_columns; done += at_once) {
-        const double* x = X.data() + done * n;
-        double* y = Y.data() + done * n;
-        for (std::size_t i = 0; i < n; ++i) {
-            double s0 = 0.0;
-            double s1 = 0.0;
-            double s2 = 0.0;
-            double s3 = 0.0;
-            for (std::size_t e = at(p.start[i]); e < at(p.start[i + 1]); ++e) {
-                const double v = value[e];
-                const std::size_t c = at(p.column[e]);
-                s0 += v * x[c];
-                s1 += v * x[c + n];
-                s2 += v * x[c + 2 * n];
-                s3 += v * x[c + 3 * n];
-            }
-            y[i] = s0;
-            y[i + n] = s1;
-            y[i + 2 * n] = s2;
-            y[i + 3 * n] = s3;
-        }
-        for (const Outer& term : outer) {
-            for (std::size_t j = 0; j < at_once; ++j) {
-                const double mean = term.scale * (*term.mean)({x + j * n, n});
-                for (std::size_t i = 0; i < n; ++i) {
-                    y[i + j * n] += term.row[i] * mean;
-                }
-            }
-        }
-    }
-    for (; done < n_columns; ++done) {
-        multiply(X.subspan(done * n, n), Y.subspan(done * n, n));
+    const std::size_t n = at(pattern->n);
+    for (std::size_t first = 0; first < n_columns * n; first += n) {
+        multiply(X.subspan(first, n), Y.subspan(first, n));
     }
 }
 
