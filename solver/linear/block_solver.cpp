@@ -18,7 +18,7 @@ constexpr int most_sweeps = 40;
 /// What the first sweep of a call is taken to leave at least: matrix and factor may be others than when it was seen.
 constexpr double least_left = 0.05;
 
-double largest(std::span<const double> values) {
+double largest_value(std::span<const double> values) {
     std::array<double, 4> most{};  // side by side: one alone would wait for each comparison
     std::size_t i = 0;
     for (; i + 4 <= values.size(); i += 4) {
@@ -63,8 +63,8 @@ BlockSolver::Result BlockSolver::solve(const Matrix& J, Factor& factor, std::spa
             for (std::size_t i = 0; i < n_; ++i) {
                 x[i] += correction[i];
             }
-            const double size = largest(x);
-            change_[j] = size > 0.0 ? largest(correction) / size : 0.0;
+            const double size = largest_value(x);
+            change_[j] = size > 0.0 ? largest_value(correction) / size : 0.0;
             now = std::max(now, change_[j]);
         }
         if (!std::isfinite(now)) {
@@ -102,7 +102,7 @@ bool BlockSolver::finish_columns(const Matrix& J, Factor& factor, std::span<cons
         for (std::size_t i = 0; i < n_; ++i) {
             r[i] = B[j * n_ + i] - r[i];
         }
-        const Krylov::Result found = krylov_.solve(J, factor, r, column_, left_, tolerance * largest(x), 0.0);
+        const Krylov::Result found = krylov_.solve(J, factor, r, column_, left_, tolerance * largest_value(x), 0.0);
         converged = converged && found.converged;
         solves += found.solves;
         for (std::size_t i = 0; i < n_; ++i) {
