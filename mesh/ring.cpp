@@ -57,9 +57,9 @@ struct Numbering {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
-class Builder {
+class RingBuilder {
 public:
-    Builder(const Mesh& section, int sectors) : section_(section) {
+    RingBuilder(const Mesh& section, int sectors) : section_(section) {
         ring_.kind = "ring";
         ring_.sectors = sectors;
         ring_.n_cells = sectors * section.n_cells;
@@ -195,7 +195,7 @@ private:
 
 Mesh ring(const Mesh& section, int sectors) {
     assert(!section.columns.empty() && section.lumped_nodes.empty() && section.sectors == 1);
-    return Builder(section, sectors).build();
+    return RingBuilder(section, sectors).build();
 }
 
 int sector_of(const Mesh& ring, int node) { return Numbering(ring).sector(node); }

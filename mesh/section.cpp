@@ -42,9 +42,9 @@ std::vector<Stack> stacks_of(const Section& d) {
     return stacks;
 }
 
-class Builder {
+class SectionBuilder {
 public:
-    explicit Builder(const Section& description) : d_(description), stacks_(stacks_of(description)) {}
+    explicit SectionBuilder(const Section& description) : d_(description), stacks_(stacks_of(description)) {}
 
     Mesh build() {
         mesh_.kind = "section";
@@ -223,6 +223,6 @@ private:
 
 }  // namespace
 
-Mesh build(const Section& description) { return Builder(description).build(); }
+Mesh build(const Section& description) { return SectionBuilder(description).build(); }
 
 }  // namespace tiretherm::mesh

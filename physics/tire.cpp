@@ -10,10 +10,6 @@
 
 namespace tiretherm::physics {
 
-namespace {
-constexpr double pi = std::numbers::pi;
-}
-
 double Tire::contact_length(double vertical_load) const {
     if (contact_length_table) {
         return contact_length_table->value(vertical_load);
@@ -45,7 +41,7 @@ double Tire::rolling_radius(double vertical_load) const {
            std::pow(std::max(vertical_load, std::max(minimum_load, 1.0)), rolling_radius_exponent);
 }
 
-double Tire::outer_area() const { return 2.0 * pi * unloaded_radius * width; }
+double Tire::outer_area() const { return 2.0 * std::numbers::pi * unloaded_radius * width; }
 
 double Tire::band_mass() const { return density * outer_area() * tread_thickness; }
 
@@ -55,7 +51,7 @@ double Tire::area_ratio() const {
 }
 
 double Tire::revolutions(double speed, double vertical_load) const {
-    return std::abs(speed) / (2.0 * pi * rolling_radius(vertical_load));
+    return std::abs(speed) / (2.0 * std::numbers::pi * rolling_radius(vertical_load));
 }
 
 double Tire::vertical_stiffness(double pressure) const {
@@ -114,9 +110,9 @@ double strain_power(const Tire& tire, double speed, double vertical_load) {
     }
     const double deflection = std::max(0.0, tire.unloaded_radius - tire.loaded_radius(vertical_load));
     const double strain = deflection / tire.section_height;
-    const double energy = vertical_load * strain * tire.area_ratio() * tire.section_height;       // (43) / tan delta
-    const double volumes = 2.0 * pi * tire.unloaded_radius / tire.contact_length(vertical_load);  // (44)
-    return energy * volumes * tire.revolutions(speed, vertical_load);                             // (45)(46)
+    const double energy = vertical_load * strain * tire.area_ratio() * tire.section_height;  // (43) / tan delta
+    const double volumes = 2.0 * std::numbers::pi * tire.unloaded_radius / tire.contact_length(vertical_load);  // (44)
+    return energy * volumes * tire.revolutions(speed, vertical_load);  // (45)(46)
 }
 
 double strain_power(const Tire& tire, const Inputs& inputs) {

@@ -75,7 +75,9 @@ int finish(const ValidateOptions& options, const diagnosis::ValidationRecord& re
     if (!page) {
         return Exit::input_error;
     }
-    print_page(options, *page);
+    if (!options.markdown) {
+        print_page(options, *page);
+    }
     return Exit::done;
 }
 
@@ -99,7 +101,7 @@ int validate(const ValidateOptions& options) {
     }
     const input::Validation& table = *reading.table;
     std::unique_ptr<post::OutputFolder> folder;
-    if (!options.markdown) {  // a table for a page of documentation is printed alone
+    if (!options.markdown || !options.directory.empty()) {
         folder = open_output(folder_of(options, "out/" + input::plain_stem(options.table) + "/validate"),
                              files_of(options, table), post::validation_names(), "nothing was run", options.json);
         if (!folder) {
@@ -125,13 +127,15 @@ int validate(const ValidateOptions& options) {
                                              .seconds = std::chrono::duration<double>(Clock::now() - begin).count(),
                                              .energy_closure = results.energy_closure,
                                              .warnings = warnings};
-    if (options.markdown && options.inputs) {
-        fmt::print("{}", post::validation_inputs_markdown(record));
-    } else if (options.markdown) {
-        fmt::print("{}", post::validation_markdown(record));
-    } else {
+    if (folder) {
         if (const int written = finish(options, record, *folder); written != Exit::done) {
             return written;
+        }
+    }
+    if (options.markdown) {
+        fmt::print("{}", post::validation_markdown(record));
+        if (options.inputs) {
+            fmt::print("\n{}", post::validation_inputs_markdown(record));
         }
     }
     const bool failed = std::any_of(results.failures.begin(), results.failures.end(),
@@ -148,7 +152,7 @@ void add_validate_command(CLI::App& program, int& exit_code) {
     command->add_option("EXPERIMENTS", options->table, "Table of measured numbers (TOML)")
         ->capture_default_str()
         ->option_text(fmt::format("[{}]", shipped));
-    command->add_option("--only", options->only, "Only these experiments: M8,M9")
+    command->add_option("--only", options->only, "Only these experiments: M1,M2")
         ->option_text("ID,...")
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -161,9 +165,8 @@ void add_validate_command(CLI::App& program, int& exit_code) {
     command->add_flag("--no-report", options->no_report, "No report.html and no page.txt");
     add_quiet_option(*command, options->quiet);
     command->add_flag("--json", options->json, "One JSON object instead of the table");
-    command->add_flag("--markdown", options->markdown, "The table for a README alone, and no files")
-        ->excludes("--json")
-        ->excludes("--out");
+    command->add_flag("--markdown", options->markdown, "The table for a README, and no files without --out")
+        ->excludes("--json");
     command->add_flag("--inputs", options->inputs,
                       "Also the inputs of the experiments, and what those that are not printed change");
     command->footer(
@@ -175,7 +178,7 @@ void add_validate_command(CLI::App& program, int& exit_code) {
         "Exit code: 0 done, whatever the verdicts; 1 an error in the call, the table or a case; 2 a run failed;\n"
         "130 interrupted.\n\n"
         "Example:\n"
-        "  tiretherm validate --only M8,M9");
+        "  tiretherm validate --only M1,M2");
     command->callback([options, &exit_code] { exit_code = validate(*options); });
 }
 

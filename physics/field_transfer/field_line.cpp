@@ -13,7 +13,7 @@ namespace tiretherm::physics {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double boundless = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -21,8 +21,8 @@ std::vector<double> FieldLine::integrals(double low, double high) const {
     const std::size_t n = at_.size();
     std::vector<double> found(n);
     const auto part = [&](double from, double to) { return std::max(0.0, std::min(to, high) - std::max(from, low)); };
-    found.front() += part(n > 1 ? at_[0] - 0.5 * (at_[1] - at_[0]) : -infinite, at_.front());
-    found.back() += part(at_.back(), n > 1 ? at_[n - 1] + 0.5 * (at_[n - 1] - at_[n - 2]) : infinite);
+    found.front() += part(n > 1 ? at_[0] - 0.5 * (at_[1] - at_[0]) : -boundless, at_.front());
+    found.back() += part(at_.back(), n > 1 ? at_[n - 1] + 0.5 * (at_[n - 1] - at_[n - 2]) : boundless);
     for (std::size_t i = 0; i + 1 < n; ++i) {
         const double width = part(at_[i], at_[i + 1]);
         if (width > 0.0) {

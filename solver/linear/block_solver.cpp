@@ -18,7 +18,7 @@ constexpr int most_sweeps = 40;
 /// What the first sweep of a call is taken to leave at least: matrix and factor may be others than when it was seen.
 constexpr double least_left = 0.05;
 
-double largest(std::span<const double> values) {
+double largest_value(std::span<const double> values) {
     double most = 0.0;
     for (const double value : values) {
         most = std::max(most, std::abs(value));
@@ -27,7 +27,7 @@ double largest(std::span<const double> values) {
 }
 
 /// Adds a correction. @returns of each column the largest entry of the correction beside that of the sum
-std::array<double, panel_width> add(ConstPanel correction, Panel to) {
+std::array<double, panel_width> add_correction(ConstPanel correction, Panel to) {
     PanelRow size{};
     PanelRow change{};
     in_wide_vectors([&] {
@@ -90,7 +90,7 @@ BlockSolver::Result BlockSolver::solve_panel(const Matrix& J, Factor& factor, st
         J.find_residual(right_, solution_, residual_);
         factor.solve_panel(residual_, correction_);
         ++result.sweeps;
-        const std::array<double, panel_width> change = add(correction_, solution_);
+        const std::array<double, panel_width> change = add_correction(correction_, solution_);
         double now = 0.0;
         for (const double of_column : change) {
             if (!std::isfinite(of_column)) {
@@ -133,7 +133,7 @@ void BlockSolver::finish_columns(const Matrix& J, Factor& factor, std::span<cons
             column_residual_[i] = B[j * n_ + i] - column_residual_[i];
         }
         const Krylov::Result found =
-            krylov_.solve(J, factor, column_residual_, column_, left_, tolerance * largest(x), 0.0);
+            krylov_.solve(J, factor, column_residual_, column_, left_, tolerance * largest_value(x), 0.0);
         result.converged = result.converged && found.converged;
         solves += found.solves;
         for (std::size_t i = 0; i < n_; ++i) {

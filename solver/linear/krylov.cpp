@@ -16,7 +16,7 @@ namespace tiretherm::solver {
 
 namespace {
 
-constexpr int most_iterations = 500;
+constexpr int most_searches = 500;
 /// A residual this small beside the right-hand side is round-off: no further solve is spent on looking at it.
 constexpr double round_off = 1e-13;
 
@@ -87,7 +87,7 @@ Krylov::Result Krylov::solve(const Matrix& J, Factor& factor, std::span<const do
     result.solves = 1;
     double smallest = 1.0;
     const double wanted = std::max(tolerance, relative_tolerance * largest(z_));
-    for (std::size_t k = 0; k < most_iterations; ++k) {
+    for (std::size_t k = 0; k < most_searches; ++k) {
         Direction& now = past_[k % past_.size()];
         copy_nodes(z_, now.p);
         J.multiply(now.p, now.Jp);

@@ -46,7 +46,7 @@ void find_steps(Problem problem, Prediction& into, KeptForcing& kept) {
 }
 
 /// The steps are given: none of them is judged by its error.
-Problem with_given_steps(Problem problem) {
+Problem judged_by_no_error(Problem problem) {
     problem.settings.fixed_step = 1.0;
     return problem;
 }
@@ -54,7 +54,7 @@ Problem with_given_steps(Problem problem) {
 class Prophet {
 public:
     Prophet(const Problem& problem, const PredictionRequest& request, Prediction& into, KeptForcing* kept)
-        : problem_(with_given_steps(problem)),
+        : problem_(judged_by_no_error(problem)),
           request_(request),
           into_(into),
           stepper_(problem_, kept),

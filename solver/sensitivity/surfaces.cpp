@@ -12,7 +12,7 @@ namespace tiretherm::solver {
 
 namespace {
 
-double value_at(const Matrix& J, int row, int column) {
+double entry_of(const Matrix& J, int row, int column) {
     const Pattern& p = *J.pattern;
     const auto begin = p.column.begin();
     const auto place = std::lower_bound(begin + p.start[at(row)], begin + p.start[at(row) + 1], column);
@@ -35,7 +35,7 @@ void SurfaceSettling::find_rows(const Matrix& J) {
     for (const std::size_t i : surfaces_) {
         for (int e = p.start[i]; e < p.start[i + 1]; ++e) {
             const int j = p.column[at(e)];
-            const double value = J.transposed ? value_at(J, j, static_cast<int>(i)) : J.value[at(e)];
+            const double value = J.transposed ? entry_of(J, j, static_cast<int>(i)) : J.value[at(e)];
             entries_.push_back({.column = at(j), .value = value});
         }
         first_.push_back(entries_.size());

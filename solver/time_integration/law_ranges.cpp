@@ -19,7 +19,7 @@ namespace {
 
 /// Sulphur-cured rubber loses its cross-links: reversion, at 140 to 160 degC within hours (recalled).
 constexpr double reversion = zero_celsius + 150.0;
-constexpr double slack = 1e-6;  // K
+constexpr double allowance = 1e-6;  // K
 
 std::string degrees(double kelvin) {
     const double celsius = kelvin - zero_celsius;
@@ -62,7 +62,8 @@ std::vector<RangeWarning> law_range_warnings(const mesh::Mesh& mesh, const physi
               Law{"conductivity along the circumference", around, around == through},
               Law{"heat capacity", material.heat_capacity}}) {
             const auto range = law.curve.range();
-            if (range && !law.is_known && (all.coldest < (*range)[0] - slack || all.hottest > (*range)[1] + slack)) {
+            if (range && !law.is_known &&
+                (all.coldest < (*range)[0] - allowance || all.hottest > (*range)[1] + allowance)) {
                 add({.law =
                          fmt::format("the {} of \"{}\" is known from {:.4g} to {:.4g} degC and held beyond", law.what,
                                      material.name, (*range)[0] - zero_celsius, (*range)[1] - zero_celsius),

@@ -16,12 +16,6 @@ namespace {
 constexpr double rate = 5.0;
 constexpr double morning = 37920.0;  // s since midnight: 10:32
 
-std::string number(double value, int digits) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
-
 /// Channels under the names of a logger; those of no name it does not have.
 std::vector<LoggedChannel> renamed(std::vector<LoggedChannel> channels, const std::array<const char*, 14>& names) {
     std::vector<LoggedChannel> kept;

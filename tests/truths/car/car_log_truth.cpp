@@ -6,22 +6,19 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <numbers>
 
 #include "numerics/random_truth.hpp"
+#include "numerics/units_truth.hpp"
 
 namespace hidden_effects {
-
-namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double celsius = 273.15;
 
 std::string number(double value, int digits) {
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", digits, value);
     return text;
 }
+
+namespace {
 
 std::string quoted(const std::vector<std::string>& words) {
     std::string line;

@@ -18,6 +18,9 @@ struct LoggedChannel {
     std::vector<double> value;  ///< [n_times]
 };
 
+/// As a logger writes it.
+[[nodiscard]] std::string number(double value, int digits);
+
 /// Speed, accelerations (lateral positive in right turns), yaw rate, steering, throttle, brake pressure, air temperature, place,
 /// and an infrared sensor on each tire. No loads, no slips, no road temperature.
 [[nodiscard]] std::vector<LoggedChannel> logged_channels(const Session& session, std::uint64_t seed);

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "numerics/random_truth.hpp"
+#include "numerics/units_truth.hpp"
 
 namespace hidden_effects {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double celsius = 273.15;
 constexpr double wheel_mass = 380.0;  // kg, a quarter of a car
 
 /// Appends moments to a drive; ramps are straight.

@@ -13,12 +13,11 @@
 #include "dirty/dirty_case_truth.hpp"
 #include "numerics/random_truth.hpp"
 #include "numerics/table_truth.hpp"
+#include "numerics/units_truth.hpp"
 
 namespace hidden_effects {
 
 namespace {
-
-constexpr double celsius = 273.15;
 
 std::vector<double> sampled(const std::vector<double>& signal, double interval, double scale, double shift = 0.0) {
     std::vector<double> out;

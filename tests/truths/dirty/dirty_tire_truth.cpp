@@ -9,11 +9,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "numerics/units_truth.hpp"
+
 namespace hidden_effects {
 
 namespace {
 
-constexpr double celsius = 273.15;
 using std::numbers::pi;
 // The tire, 225/50 R17, as the thesis prints it.
 constexpr double width = 0.225;

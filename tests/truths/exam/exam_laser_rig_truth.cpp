@@ -5,12 +5,11 @@
 
 #include "exam/exam_rig_truth.hpp"
 #include "laser/laser_logs_truth.hpp"
+#include "numerics/units_truth.hpp"
 
 namespace hidden_effects {
 
 namespace {
-
-constexpr double celsius = 273.15;
 
 /// The page fixes its length and its samples.
 RigProgramme draw_laser(std::uint64_t seed, double /*interval*/) {

@@ -11,13 +11,13 @@
 #include "laser/laser_elements_truth.hpp"
 #include "numerics/random_truth.hpp"
 #include "numerics/rodas_truth.hpp"
+#include "numerics/units_truth.hpp"
 #include "two_node/sensors_truth.hpp"
 
 namespace hidden_effects {
 
 namespace {
 
-constexpr double celsius = 273.15;
 constexpr double stated_radius = 5.6419e-3;
 
 /// A conductivity that is a straight line through 20 and 90 degC, with what the causes make of it.

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "numerics/quadratic_truth.hpp"
+#include "numerics/units_truth.hpp"
 
 namespace hidden_effects {
 
@@ -19,7 +20,6 @@ using quadratic::gauss_weight;
 using quadratic::shapes;
 using quadratic::slopes;
 
-constexpr double celsius = 273.15;
 constexpr double stefan_boltzmann = 5.670374419e-8;
 
 /// What leaves a face for the air, W/m2, and its derivative, W/m2K.

@@ -37,7 +37,7 @@ constexpr double c[n_stages][n_stages - 1] = {
 
 using Vector = std::vector<double>;
 
-double dot(const Vector& x, const Vector& y) { return std::inner_product(x.begin(), x.end(), y.begin(), 0.0); }
+double inner(const Vector& x, const Vector& y) { return std::inner_product(x.begin(), x.end(), y.begin(), 0.0); }
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void Rodas::prepare_couplings() {
     Eigen::MatrixXd small = Eigen::MatrixXd::Identity(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
         for (Eigen::Index j = 0; j < n; ++j) {
-            small(i, j) -= dot(couplings_[static_cast<std::size_t>(i)].v, solved_[static_cast<std::size_t>(j)]);
+            small(i, j) -= inner(couplings_[static_cast<std::size_t>(i)].v, solved_[static_cast<std::size_t>(j)]);
         }
     }
     small = small.inverse().eval();
@@ -92,7 +92,7 @@ void Rodas::solve(Vector& x) const {
     const std::size_t n = couplings_.size();
     Vector seen;
     for (const Coupling& coupling : couplings_) {
-        seen.push_back(dot(coupling.v, x));
+        seen.push_back(inner(coupling.v, x));
     }
     for (std::size_t i = 0; i < n; ++i) {
         double share = 0.0;

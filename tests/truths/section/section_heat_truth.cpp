@@ -9,11 +9,12 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "numerics/units_truth.hpp"
+
 namespace hidden_effects {
 
 namespace {
 
-constexpr double celsius = 273.15;
 using std::numbers::pi;
 constexpr double width = 0.225;
 constexpr double height = 0.1125;

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "numerics/random_truth.hpp"
+#include "numerics/units_truth.hpp"
 
 namespace hidden_effects {
 
@@ -15,8 +15,6 @@ namespace {
 
 constexpr double duration = 2400.0;
 constexpr double ramp = 4.0;
-constexpr double celsius = 273.15;
-constexpr double degree = std::numbers::pi / 180.0;
 
 struct Hold {
     double speed = 0.0;  ///< m/s
