@@ -44,9 +44,9 @@ void add_told_options(CLI::App& command, Told<Options>& options, const std::stri
     add_json_option(command, options.json, instead_of);
 }
 
-/// Makes a call that Ctrl-C ends. @param call takes options and a caller  @returns the exit code
+/// Makes a call that Ctrl-C ends. @param options are Told  @param call takes them and a caller  @returns the exit code
 template <class Options, class Call>
-[[nodiscard]] int make(const Told<Options>& options, const Call& call) {
+[[nodiscard]] int make(const Options& options, const Call& call) {
     solver::install_stop_handlers();
     Terminal terminal(options.json, options.quiet);
     return call(options, terminal);

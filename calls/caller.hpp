@@ -2,10 +2,12 @@
 // Who makes a call: the command line, or the Python package. A call does its work and tells here what comes of it.
 #pragma once
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
 #include "input/runs/reader.hpp"
+#include "post/report/progress.hpp"
 #include "post/report/report.hpp"
 #include "solver/time_integration/march.hpp"
 
@@ -41,6 +43,12 @@ public:
     virtual void complain(const std::string& sentence, const std::string& remedy) = 0;
     /// What somebody who waits should know. @param sentence without its full stop
     virtual void note(const std::string& sentence) = 0;
+
+    /// The line of progress. @param silent there is nothing to show
+    [[nodiscard]] virtual post::ProgressLine progress_line(bool silent) const {
+        return post::ProgressLine(stderr, quiet_ || silent);
+    }
+    [[nodiscard]] post::ProgressLine progress_line() const { return progress_line(false); }
 
     /// For a caller that wants a run's rows as they are made: begin, rows and end of each tire.
     virtual void begin(const input::RunOfCase& /*run*/) {}

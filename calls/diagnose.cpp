@@ -155,7 +155,7 @@ int diagnose(DiagnoseOptions call, const TableOptions& of_table, Caller& caller)
     const diagnosis::Observations observations = diagnosis::observe(experiment);
     const OtherMeshes meshes(call, thinned);
     diagnosis::DiagnosisOptions options = meshes.options();
-    SimulationCount count(caller.is_quiet());
+    SimulationCount count(caller);
     options.progress = count.stages();
     diagnosis::Diagnosis result = diagnosis::diagnose(experiment, observations, options);
     diagnosis::take_data_faults(std::move(faults), experiment, result);

@@ -84,7 +84,7 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options, Caller
     }
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    SimulationCount count(caller.is_quiet());
+    SimulationCount count(caller);
     diagnosis::quoted::Trials trials(*reading.table, *model, options.threads, count.shown());
     const auto stopped = [&] {
         count.wipe();

@@ -156,7 +156,7 @@ int identify(const IdentifyOptions& options, Caller& caller) {
                 "spacing (see [limits])");
         }
     }
-    SimulationCount count(caller.is_quiet());
+    SimulationCount count(caller);
     const diagnosis::Identification result = diagnosis::identify(experiment, observations,
                                                                  {.profile = options.profile,
                                                                   .finer = finer ? &*finer : nullptr,

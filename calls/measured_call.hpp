@@ -57,7 +57,7 @@ struct MeasuredCall {
 /// Says on stderr what is being done and counts simulations for a person who waits.
 class SimulationCount {
 public:
-    explicit SimulationCount(bool quiet) : line_(stderr, quiet) {}
+    explicit SimulationCount(const Caller& caller) : line_(caller.progress_line()) {}
 
     [[nodiscard]] std::function<void(long)> shown() {
         return [this](long simulations) { show({}, simulations); };

@@ -172,7 +172,7 @@ int run(const RunOptions& options, Caller& caller) {
                                   : options.run.empty()      ? "out/" + name
                                                              : "out/" + name + "/" + options.run;
     if (reading.chosen.size() > 1) {
-        return run_corners(reading, directory, *changes, options);
+        return run_corners(reading, directory, *changes, options, caller);
     }
     SimulatedRun it{.run = std::move(reading.chosen.front())};
     if (!simulate(it, directory, reading, *changes, options, caller)) {

@@ -30,7 +30,7 @@ using Take = std::function<void(const solver::Snapshot&)>;
 /// Marches through the case; stops where the user asks for it, with the field of that moment.
 solver::MarchReport march(const solver::Problem& problem, const Take& take, const solver::Continuation& continuation,
                           Caller& caller) {
-    post::ProgressLine line(stderr, caller.is_quiet() || problem.settings.steady);
+    post::ProgressLine line = caller.progress_line(problem.settings.steady);
     post::Progress progress(line, problem.name, problem.settings.start, problem.settings.end);
     const auto watch = [&](const solver::Snapshot& snapshot) {
         const bool stop = solver::stop_requested();

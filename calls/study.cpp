@@ -145,7 +145,7 @@ int study(const StudyOptions& options, Caller& caller) {
     const Clock::time_point begin = Clock::now();
     diagnosis::StudyResults results;
     {
-        post::ProgressLine line(stderr, caller.is_quiet());
+        post::ProgressLine line = caller.progress_line();
         std::optional<std::size_t> kept;
         const auto show = [&](std::size_t done) {
             kept = kept.value_or(done - 1);

@@ -202,6 +202,7 @@ private:
         }
         // Last: what the file says itself wins over all that it includes.
         merge(merged, std::move(*own), 0);
+        // Behind the file's own tables, so that a path may lead into them.
         if (complete) {
             for (const Entry& entry : values.entries) {
                 set(merged, split_path({entry.key, entry.place}, merged), entry.value, *errors_);
@@ -218,6 +219,7 @@ private:
         }
     }
 
+    /// Reports `set` where it is something else.
     bool is_table_of_values(const TomlValue& given) {
         if (given.kind != TomlValue::Kind::table) {
             errors_->add(given.place,
