@@ -31,8 +31,16 @@ class Run(unittest.TestCase):
         for key in ("case", "cells", "steps", "energy_closure", "channels", "budget", "hottest"):
             self.assertEqual(result.summary[key], expected[key], key)
 
-    # channels.csv has as many digits as lead to the same number, and the program makes it from the same rows.
-    def test_rows_are_those_of_the_files(self):
+    # channels.mat has SI numbers of eight bytes, a channel after the other.
+    def test_rows_are_those_of_the_program_to_the_last_bit(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(program("run", TWO_NODES, "--mat", "--quiet", "--out", folder).returncode, 0)
+            written = (Path(folder) / "channels.mat").read_bytes()
+        result = tt.Case.from_file(TWO_NODES).run()
+        for values in (result.time, *(channel.values for channel in result.channels.values())):
+            self.assertIn(np.ascontiguousarray(values).tobytes(), written)
+
+    def test_files_are_written_where_they_are_asked_for(self):
         with tempfile.TemporaryDirectory() as folder:
             in_files = tt.Case.from_file(TWO_NODES).run(out=folder)
             self.assertTrue((Path(folder) / "report.html").is_file())
