@@ -63,7 +63,7 @@ RecordedRun::RecordedRun(const input::RunOfCase& run, const std::vector<OwnSenso
         channels_.push_back({.name = sensor.name, .unit = "", .shown = "", .meaning = "computed in Python"});
     }
     for (const physics::ActiveEffect& active : run.problem.effects) {
-        effects_.emplace_back(active.name.empty() ? std::string(active.effect->id) : active.name);
+        effects_.emplace_back(active.title());
     }
 }
 

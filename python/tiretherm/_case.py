@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _tiretherm
 from ._errors import CaseError, Finding, Places, ProgressOption, findings_of, manner, raise_for, sentence
-from ._result import Comparison, Diagnosis, Identification, Measured, Result, WorkFolder, work_folder
+from ._result import Comparison, Diagnosis, Identification, Measured, Result, WorkFolder
 
 #: A file, several files, or columns by their headings (a dict of arrays, or a pandas.DataFrame).
 Data = Union[None, str, "PathLike[str]", Mapping[str, Any], Sequence[Any], Any]
@@ -65,7 +65,7 @@ class Case:
     >>> case["drive.speed"]
     '120 km/h'
     >>> round(float(case.run().channels["bulk_temperature"].to("degC")[-1]))  # degC after an hour
-    76
+    68
 
     A file is not changed. What is wrong with a value is said by `check` and by all that runs the case.
     """
@@ -76,7 +76,7 @@ class Case:
         self._values: dict[str, CaseValue] = {}
         self._unset: list[str] = []
         self._places: dict[str, tuple[str, int]] = {}
-        self._work = work_folder()
+        self._work = WorkFolder()
         self._text: WorkFolder | None = None  # of a case that is a text
         self._folders: dict[str, WorkFolder] = {}  # of measured calls that have not come to a result
 
@@ -90,8 +90,8 @@ class Case:
     @classmethod
     def from_text(cls, text: str, name: str = "case") -> Case:
         """A case of a TOML text. Paths in it are absolute, or lead from a temporary folder to nowhere."""
-        work = work_folder()
-        path = Path(work.name) / f"{name}.toml"
+        work = WorkFolder()
+        path = work.path / f"{name}.toml"
         path.write_text(text, encoding="utf-8")
         case = cls(path)
         case._text = work
@@ -153,7 +153,7 @@ class Case:
     def _written(self) -> tuple[Path, Places]:
         if not self._values and not self._unset:
             return self._file, {}
-        path = Path(self._work.name) / "cases" / f"{_tiretherm.case_name(str(self._file))}.toml"
+        path = self._work.path / "cases" / f"{_tiretherm.case_name(str(self._file))}.toml"
         lines = [f"include = [{toml_text(str(self._file))}]"]
         places: dict[tuple[str, int], tuple[str, int]] = {}
         if self._unset:
@@ -270,8 +270,8 @@ class Case:
     ) -> Measured:
         path, places = self._written()
         # An interrupted fit goes on from what is in its folder, which is the case's own until it has come to a result.
-        work = self._folders.setdefault(command, work_folder())
-        folder = Path(work.name) if out is None else Path(out)
+        work = self._folders.setdefault(command, WorkFolder())
+        folder = work.path if out is None else Path(out)
         outcome = getattr(_tiretherm, command)(
             case_file=str(path), data=self._data_files(data), directory=str(folder), no_report=out is None, **more,
             **manner(progress),
@@ -296,7 +296,7 @@ class Case:
 
     def _csv_of(self, columns: Any, number: int) -> str:
         """Columns as a CSV file, with all digits."""
-        path = Path(self._work.name) / f"data_{number + 1}.csv"
+        path = self._work.path / f"data_{number + 1}.csv"
         names = list(columns.columns) if hasattr(columns, "columns") else list(columns)
         arrays = [np.asarray(columns[name]) for name in names]
         with path.open("w", newline="", encoding="utf-8") as file:

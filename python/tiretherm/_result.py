@@ -6,7 +6,9 @@ from __future__ import annotations
 import csv
 import html
 import importlib
+import shutil
 import tempfile
+import weakref
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
@@ -18,6 +20,17 @@ import numpy.typing as npt
 from . import _tiretherm
 
 Array = npt.NDArray[np.float64]
+
+
+class WorkFolder:
+    """A folder that is made when it is asked for, and is there as long as the object."""
+
+    @cached_property
+    def path(self) -> Path:
+        """The folder."""
+        folder = tempfile.mkdtemp(prefix="tiretherm_")
+        weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
+        return Path(folder)
 
 
 def needed(module: str, purpose: str) -> Any:
@@ -326,10 +339,3 @@ class StudyResult(Files):
 
 
 Measured = TypeVar("Measured", Comparison, Identification, Diagnosis)
-
-WorkFolder = tempfile.TemporaryDirectory[str]
-
-
-def work_folder() -> WorkFolder:
-    """A folder that is there as long as the object."""
-    return tempfile.TemporaryDirectory(prefix="tiretherm_")

@@ -11,7 +11,7 @@ from typing import Any
 from . import _tiretherm
 from ._case import Case, toml_text
 from ._errors import ProgressOption, manner, raise_for
-from ._result import StudyResult, work_folder
+from ._result import StudyResult, WorkFolder
 
 
 class Study:
@@ -39,8 +39,8 @@ class Study:
         {"distribution": "normal", "mean": "500 W/m2K", "standard_deviation": "50 W/m2K"}, of which `samples` are drawn.
         critical: a temperature that the hottest place should not pass, "110 degC"."""
         self._case: Case | None = case
-        self._work = work_folder()
-        self._file = Path(self._work.name) / "study.toml"
+        self._work = WorkFolder()
+        self._file = self._work.path / "study.toml"
         lines = [f"case = {toml_text(str(case.path))}"]
         lines += [f"title = {toml_text(title)}"] if title else []
         lines += [f"critical = {toml_text(critical)}"] if critical else []
@@ -58,7 +58,7 @@ class Study:
     def from_file(cls, path: str | PathLike[str]) -> Study:
         """The study of a file."""
         study = cls.__new__(cls)
-        study._case, study._work, study._file, study._shown = None, work_folder(), Path(path).absolute(), str(path)
+        study._case, study._work, study._file, study._shown = None, WorkFolder(), Path(path).absolute(), str(path)
         return study
 
     def run(
@@ -71,7 +71,7 @@ class Study:
     ) -> StudyResult:
         """Makes the runs that are not there yet. threads: 0 as many as the machine can do. Runs are kept in `out`, or as long as this
         object lives, so that a study which was interrupted goes on. Raises CaseError; Interrupted."""
-        folder = Path(self._work.name) / "out" if out is None else Path(out)
+        folder = self._work.path / "out" if out is None else Path(out)
         outcome = _tiretherm.study(
             study_file=str(self._file), directory=str(folder), threads=threads, fresh=fresh, no_report=out is None,
             **manner(progress),

@@ -31,14 +31,15 @@ class Run(unittest.TestCase):
         for key in ("case", "cells", "steps", "energy_closure", "channels", "budget", "hottest"):
             self.assertEqual(result.summary[key], expected[key], key)
 
-    # channels.mat has SI numbers of eight bytes, a channel after the other.
+    # channels.mat has the numbers that pages show, each in eight bytes, a channel after the other.
     def test_rows_are_those_of_the_program_to_the_last_bit(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(program("run", TWO_NODES, "--mat", "--quiet", "--out", folder).returncode, 0)
             written = (Path(folder) / "channels.mat").read_bytes()
         result = tt.Case.from_file(TWO_NODES).run()
-        for values in (result.time, *(channel.values for channel in result.channels.values())):
-            self.assertIn(np.ascontiguousarray(values).tobytes(), written)
+        self.assertTrue(result.time.tobytes() in written)
+        for name, channel in result.channels.items():
+            self.assertTrue((channel.values - 273.15).tobytes() in written, name)
 
     def test_files_are_written_where_they_are_asked_for(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -148,11 +149,10 @@ class Values(unittest.TestCase):
         with self.assertRaises(tt.CaseError):
             tt.Case.from_text("[drive").run()
 
-    def test_failed_run_keeps_its_rows(self):
+    def test_temperature_of_no_tire_is_refused(self):
         case = tt.Case.from_file(TWO_NODES)
-        case["drive.speed"] = "100 km/h"
         case["initial.temperature"] = "1e300 K"
-        with self.assertRaises((tt.SolverError, tt.CaseError)):
+        with self.assertRaises(tt.CaseError):
             case.run()
 
 
