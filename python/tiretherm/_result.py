@@ -42,7 +42,7 @@ def needed(module: str, purpose: str) -> Any:
         return importlib.import_module(module)
     except ImportError as error:
         package = module.partition(".")[0]
-        raise ImportError(f"{purpose} needs the Python package {package}, which is not installed") from error
+        raise ImportError(f"{purpose} needs the Python package {package}, which cannot be imported: {error}") from error
 
 
 def conversion(unit: str, to: str) -> tuple[float, float]:
@@ -325,6 +325,11 @@ class Identification(Files):
     """A fit: values and 95 % intervals in `summary`, residuals in `tables["identify"]`."""
 
     @property
+    def case_file(self) -> Path:
+        """The case with the fitted values, for Case.from_file. It includes the original: take it before `result` goes."""
+        return self.folder / "identified.toml"
+
+    @property
     def has_converged(self) -> bool:
         """Whether the search came to its end."""
         return self._outcome.exit == 0
@@ -332,6 +337,12 @@ class Identification(Files):
 
 class Diagnosis(Files):
     """The verdict and its causes in `summary`."""
+
+    @property
+    def case_file(self) -> Path | None:
+        """The case with the cause switched on, for Case.from_file; None where there is none."""
+        path = self.folder / "extended.toml"
+        return path if path.is_file() else None
 
 
 class StudyResult(Files):

@@ -45,6 +45,7 @@ class Measured(unittest.TestCase):
         self.assertTrue(fit.has_converged)
         self.assertEqual(fit.summary["parameters"], expected["parameters"])
         self.assertIn("identify", fit.tables)
+        self.assertGreater(tt.Case.from_file(fit.case_file).compare(PUZZLES[0]).summary["channels"][0]["samples"], 0)
 
     # Columns are written with all digits, so that they are the file's.
     def test_compares_with_columns_as_with_their_file(self):
@@ -100,6 +101,16 @@ class Interruption(unittest.TestCase):
         self.assertGreater(len(result.channels["bulk_temperature"]), 1)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
         self.assertFalse(tt.Case.from_file(TWO_NODES).run().is_stopped)
+
+    # What was simulated is kept with the case, from where the same call goes on.
+    def test_ctrl_c_keeps_the_simulations_of_a_diagnosis(self):
+        case = tt.Case.from_file("cases/practice/section_bench.toml")
+        timer = interrupt_after(2.0)
+        with self.assertRaises(tt.Interrupted) as raised:
+            case.diagnose("cases/practice/section_run1.csv", by_run=False)
+        timer.join()
+        if raised.exception.result is None:
+            self.assertTrue((case._folders["diagnose"].path / ".tiretherm/diagnose.simulations").is_file(), raised.exception)
 
     def test_stop_ends_a_run_of_another_thread(self):
         raised = []

@@ -149,6 +149,19 @@ class Values(unittest.TestCase):
         with self.assertRaises(tt.CaseError):
             tt.Case.from_text("[drive").run()
 
+    # 1e300 W in the surface: no step can be made.
+    def test_failed_run_says_why_and_has_its_rows(self):
+        text = f'''include = ["{Path(TWO_NODES).absolute()}"]
+            [[source]]
+            name = "s"
+            at = "surface"
+            watts = "1 W"
+            follows = "1e300"'''
+        with self.assertRaises(tt.SolverError) as raised:
+            tt.Case.from_text(text).run()
+        self.assertTrue(str(raised.exception))
+        self.assertGreaterEqual(len(raised.exception.result.time), 1)
+
     def test_temperature_of_no_tire_is_refused(self):
         case = tt.Case.from_file(TWO_NODES)
         case["initial.temperature"] = "1e300 K"
