@@ -58,6 +58,15 @@ class Measured(unittest.TestCase):
         for head in numbers:
             np.testing.assert_array_equal(of_columns[head], of_file[head])
 
+    def test_results_of_one_case_keep_their_files_apart(self):
+        case = tt.Case.from_file(BENCH)
+        first, second = case.compare(PUZZLES[0]), case.compare(PUZZLES[1])
+        self.assertNotEqual(first.folder, second.folder)
+        self.assertTrue(first.folder.is_dir())
+        folder = first.folder
+        del first
+        self.assertFalse(folder.exists())
+
     def test_diagnosis_within_a_time_limit(self):
         diagnosis = tt.Case.from_file(BENCH).diagnose(PUZZLES[0], time_limit=60, by_run=False)
         self.assertIn("verdict", diagnosis.summary)

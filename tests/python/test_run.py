@@ -89,6 +89,12 @@ class Run(unittest.TestCase):
         with self.assertRaises(ZeroDivisionError):
             tt.Case.from_file(TWO_NODES).run(sensors={"bad": lambda time, temperature: 1 / 0})
 
+    def test_a_car_has_four_tires(self):
+        result = tt.Case.from_file("cases/car/session.toml").run()
+        self.assertEqual(list(result.tires), ["FL", "FR", "RL", "RR"])
+        self.assertEqual(len(result.summary["corners"]), 4)
+        self.assertNotEqual(result.tires["FL"].hottest["temperature"], result.tires["FR"].hottest["temperature"])
+
     def test_page_opens_in_a_notebook(self):
         page = tt.Case.from_file(TWO_NODES).run()._repr_html_()
         self.assertTrue(page.startswith("<iframe"))
