@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Builds the extension module with CMake, in build/python of the source, where a second build takes what the first has made."""
+"""Builds the extension module with CMake, in build/release of the source, where it takes what ./run or an earlier build has made."""
 
 import os
 import re
@@ -23,8 +23,9 @@ def version() -> str:
 
 class CMakeBuild(build_ext):
     def build_extension(self, ext: Extension) -> None:
-        build = ROOT / "build" / "python"
-        subprocess.check_call(["cmake", "--preset", "python", f"-DPython3_EXECUTABLE={sys.executable}"], cwd=ROOT)
+        build = ROOT / "build" / "release"
+        interpreter = Path(sys.executable).resolve()  # of a virtual environment, which may go
+        subprocess.check_call(["cmake", "--preset", "release", f"-DPython3_EXECUTABLE={interpreter}"], cwd=ROOT)
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
         subprocess.check_call(["cmake", "--build", str(build), "--target", "tiretherm_package", "-j", jobs], cwd=ROOT)
         target = Path(self.get_ext_fullpath(ext.name)).parent
