@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts the calls under way. The last of them to end clears what asked for an end, so that the next ones begin afresh.
+// Knows the calls that are under way, and the one of the main thread.
 
 #include "python/extension/interruption.hpp"
 
-#include <atomic>
-#include <limits>
 #include <mutex>
-
-#include "solver/stop_signal.hpp"
+#include <set>
 
 namespace tiretherm::python {
 
 namespace {
 
 std::mutex counting;
-int under_way = 0;
-std::atomic<bool> signalled = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "or a handler may not touch it");
+std::set<Interruption*> under_way;
+std::atomic<Interruption*> of_main_thread = nullptr;
+static_assert(std::atomic<Interruption*>::is_always_lock_free, "or a handler may not touch it");
 
-/// A deadline can be set from a handler, and taken back.
 extern "C" void take_signal(int /*signal*/) {
-    signalled = true;
-    solver::stop_after(0.0);
+    if (Interruption* const call = of_main_thread) {
+        call->take_signal();
+    }
 }
 
 }  // namespace
@@ -29,12 +26,12 @@ extern "C" void take_signal(int /*signal*/) {
 Interruption::Interruption(bool by_signal) : by_signal_(by_signal) {
     {
         const std::lock_guard lock(counting);
-        ++under_way;
+        under_way.insert(this);
     }
     if (by_signal_) {
-        signalled = false;
+        around_ = of_main_thread.exchange(this);
         struct sigaction action {};
-        action.sa_handler = &take_signal;
+        action.sa_handler = &tiretherm::python::take_signal;
         sigaction(SIGINT, &action, &before_);
     }
 }
@@ -42,19 +39,16 @@ Interruption::Interruption(bool by_signal) : by_signal_(by_signal) {
 Interruption::~Interruption() {
     if (by_signal_) {
         sigaction(SIGINT, &before_, nullptr);
+        of_main_thread = around_;
     }
     const std::lock_guard lock(counting);
-    if (--under_way == 0) {
-        solver::stop_after(std::numeric_limits<double>::infinity());
-    }
+    under_way.erase(this);
 }
 
-bool Interruption::was_signalled() const { return by_signal_ && signalled; }
-
-void stop() {
+void Interruption::stop_all() {
     const std::lock_guard lock(counting);
-    if (under_way > 0) {
-        solver::stop_after(0.0);
+    for (Interruption* const call : under_way) {
+        call->scope_.ask();
     }
 }
 

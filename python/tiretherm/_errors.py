@@ -119,7 +119,7 @@ def raise_for(outcome: _tiretherm.Outcome, result: Any, places: Places) -> None:
         raise CaseError(findings_of(outcome.findings, places), outcome.warnings)
     if outcome.signalled:
         raise Interrupted(sentence(outcome) or "stopped", result)
-    if outcome.exit == INTERRUPTED or "time limit" in sentence(outcome):
+    if outcome.exit == INTERRUPTED:
         raise Stopped(sentence(outcome) or "stopped", result)
     if outcome.refused and outcome.exit == NUMERICAL_FAILURE:
         raise SolverError(sentence(outcome), result)

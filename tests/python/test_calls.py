@@ -111,6 +111,39 @@ class Interruption(unittest.TestCase):
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
         self.assertFalse(tt.Case.from_file(TWO_NODES).run().is_stopped)
 
+    # A call of another thread is under way all the time: what ended the first call ends neither that nor the next one.
+    def test_ctrl_c_ends_the_call_of_the_main_thread_alone(self):
+        stopped = []
+
+        def work():
+            try:
+                long_case().run()
+            except tt.Stopped as error:
+                stopped.append(error)
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        timer = interrupt_after(0.5)
+        with self.assertRaises(tt.Interrupted):
+            long_case().run()
+        timer.join()
+        self.assertFalse(tt.Case.from_file(TWO_NODES).run().is_stopped)
+        self.assertTrue(thread.is_alive())
+        tt.stop()
+        thread.join(30)
+        self.assertEqual(len(stopped), 1)
+        self.assertFalse(tt.Case.from_file(TWO_NODES).run().is_stopped)
+
+    # A limit that has passed before there is an answer: the run beside it goes on.
+    def test_time_limit_is_of_one_diagnosis(self):
+        thread = threading.Thread(target=lambda: self.assertRaises(tt.Stopped, long_case().run))
+        thread.start()
+        with self.assertRaisesRegex(tt.SolverError, "time limit"):
+            tt.Case.from_file(BENCH).diagnose(PUZZLES, time_limit=1e-3)
+        self.assertTrue(thread.is_alive())
+        tt.stop()
+        thread.join(30)
+
     # What was simulated is kept with the case, from where the same call goes on.
     def test_ctrl_c_keeps_the_simulations_of_a_diagnosis(self):
         case = tt.Case.from_file("cases/practice/section_bench.toml")
