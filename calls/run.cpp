@@ -21,6 +21,7 @@
 #include "input/studies/what_if.hpp"
 #include "post/run/run_report.hpp"
 #include "solver/stop_signal.hpp"
+#include "solver/user_effect.hpp"
 
 namespace tiretherm::calls {
 
@@ -146,6 +147,20 @@ std::optional<std::vector<input::ChangedRuns>> read_changes(const input::Reading
     return changes;
 }
 
+/// Gives the sources of the runs their laws; reports a name that is none.
+bool give_laws(const RunOptions& options, std::vector<input::RunOfCase>& runs, Caller& caller) {
+    for (input::RunOfCase& run : runs) {
+        for (const auto& [source, law] : options.laws) {
+            if (!solver::give_law(run.problem, source, law)) {
+                caller.refuse(fmt::format("the case has no [[source]] \"{}\" to give a law to", source),
+                              "nothing was run");
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 int run(const RunOptions& options, Caller& caller) {
@@ -158,9 +173,14 @@ int run(const RunOptions& options, Caller& caller) {
     if (!are_sound(reading, options, caller)) {
         return Exit::input_error;
     }
-    const std::optional<std::vector<input::ChangedRuns>> changes = read_changes(reading, options, caller);
-    if (!changes) {
+    std::optional<std::vector<input::ChangedRuns>> changes = read_changes(reading, options, caller);
+    if (!changes || !give_laws(options, reading.chosen, caller)) {
         return Exit::input_error;
+    }
+    for (input::ChangedRuns& change : *changes) {
+        if (!give_laws(options, change.runs, caller)) {
+            return Exit::input_error;
+        }
     }
     if (was_stopped("nothing was run", caller)) {
         return Exit::interrupted;

@@ -160,7 +160,9 @@ bool simulate_into_folder(SimulatedRun& it, const std::filesystem::path& directo
     diagnosis::HotSpotTracker tracker(options.case_file, problem, it.run.name);
     return write_output(*it.folder, post::RunFiles::names_in(directory), caller, [&] {
         it.files.emplace(it.folder->stage(), problem, it.provenance, options.switched);
-        post::RunJournal journal(*it.folder, identity_of(options, it.run.name, reading.files), problem, options.fresh);
+        // What a run with another law has left cannot be told from this one's.
+        const bool fresh = options.fresh || !options.laws.empty();
+        post::RunJournal journal(*it.folder, identity_of(options, it.run.name, reading.files), problem, fresh);
         const double before = journal.checkpoint() != nullptr ? journal.seconds() : 0.0;
         it.seconds = before + seconds_of([&] { it.report = march(problem, *it.files, tracker, journal, caller); });
         it.files->finish(it.report);

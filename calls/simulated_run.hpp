@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -31,6 +32,7 @@ struct RunOptions {
     bool what_if = false;              ///< the standard changes
     std::vector<std::string> changes;  ///< "drive.camber=+0.5 deg"
     std::set<std::string> switched;    ///< formats that are refused or wanted, by name
+    std::map<std::string, std::shared_ptr<const physics::OwnLaw>> laws{};  ///< of the case's [[source]] tables, by name
 };
 
 /// Rows of a run without files.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The extension module _tiretherm: the calls of the program, without the command line. The package tiretherm is what users see.
 
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -18,6 +19,7 @@
 #include "input/text/units.hpp"
 #include "python/extension/interruption.hpp"
 #include "python/extension/outcome.hpp"
+#include "python/extension/own_law.hpp"
 #include "python/extension/session.hpp"
 #include "python/extension/values.hpp"
 
@@ -65,16 +67,19 @@ void define_calls(py::module_& module) {
         "run",
         [](std::string case_file, std::string run, std::string directory, double field_interval, bool fresh,
            bool what_if, std::vector<std::string> changes, std::vector<std::pair<std::string, py::object>> sensors,
-           bool by_signal, bool quiet, py::object progress) {
-            const calls::RunOptions options{.case_file = std::move(case_file),
-                                            .run = std::move(run),
-                                            .directory = directory,
-                                            .field_interval = field_interval,
-                                            .in_memory = directory.empty(),
-                                            .fresh = fresh,
-                                            .what_if = what_if,
-                                            .changes = std::move(changes),
-                                            .switched = {}};
+           const std::map<std::string, py::object>& laws, bool by_signal, bool quiet, py::object progress) {
+            calls::RunOptions options{.case_file = std::move(case_file),
+                                      .run = std::move(run),
+                                      .directory = directory,
+                                      .field_interval = field_interval,
+                                      .in_memory = directory.empty(),
+                                      .fresh = fresh,
+                                      .what_if = what_if,
+                                      .changes = std::move(changes),
+                                      .switched = {}};
+            for (const auto& [source, law] : laws) {
+                options.laws[source] = own_law(source, law);
+            }
             Manner manner = manner_of(by_signal, quiet, std::move(progress));
             for (auto& [name, read] : sensors) {
                 manner.sensors.push_back({.name = std::move(name), .read = std::move(read)});
@@ -82,7 +87,7 @@ void define_calls(py::module_& module) {
             return make(manner, [&](calls::Caller& caller) { return calls::run(options, caller); });
         },
         "case_file"_a, "run"_a, "directory"_a, "field_interval"_a, "fresh"_a, "what_if"_a, "changes"_a, "sensors"_a,
-        "by_signal"_a, "quiet"_a, "progress"_a);
+        "laws"_a, "by_signal"_a, "quiet"_a, "progress"_a);
     module.def(
         "compare",
         [](std::string case_file, std::vector<std::string> data, std::string directory, bool no_report, bool by_signal,
@@ -153,7 +158,7 @@ PYBIND11_MODULE(_tiretherm, module) {
     module.def(
         "case_values", [](const std::string& file) { return input::case_values(file); }, "file"_a);
     module.def("conversion", &conversion, "from"_a, "to"_a);
-    module.def("stop", &stop);
+    module.def("stop", &Interruption::stop_all);
     RecordedRun::define(module);
     Outcome::define(module);
     define_session(module);

@@ -7,7 +7,7 @@
 99.7 degC
 """
 
-from ._case import Case
+from ._case import Case, Effect
 from ._errors import CaseError, Error, Finding, Interrupted, SolverError, Stopped, stop
 from ._result import Channel, Comparison, Diagnosis, Fields, Identification, Result, StudyResult, Table, Tire
 from ._session import Session
@@ -15,7 +15,7 @@ from ._study import Study
 from ._tiretherm import version as __version__
 
 __all__ = [
-    "Case", "CaseError", "Channel", "Comparison", "Diagnosis", "Error", "Fields", "Finding", "Identification",
+    "Case", "CaseError", "Channel", "Comparison", "Diagnosis", "Effect", "Error", "Fields", "Finding", "Identification",
     "Interrupted", "Result", "Session", "SolverError", "Stopped", "Study", "StudyResult", "Table", "Tire",
     "__version__", "stop",
 ]  # fmt: skip

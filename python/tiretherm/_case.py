@@ -9,6 +9,7 @@ import json
 import math
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import Any, Union
@@ -17,7 +18,7 @@ import numpy as np
 
 from . import _tiretherm
 from ._errors import CaseError, Finding, Places, ProgressOption, findings_of, manner, raise_for, sentence
-from ._result import Comparison, Diagnosis, Identification, Measured, Result, WorkFolder
+from ._result import Array, Comparison, Diagnosis, Identification, Measured, Result, WorkFolder
 
 #: A file, several files, or columns by their headings (a dict of arrays, or a pandas.DataFrame).
 Data = Union[None, str, "PathLike[str]", Mapping[str, Any], Sequence[Any], Any]
@@ -52,6 +53,30 @@ def caller_place() -> tuple[str, int]:
     while frame.f_back is not None and Path(frame.f_code.co_filename).parent == here:
         frame = frame.f_back
     return frame.f_code.co_filename, frame.f_lineno
+
+
+@dataclass(frozen=True)
+class Effect:
+    """Heat by a law in Python, for trying: each evaluation of the heat balance calls it.
+
+    law(signal, T) gets the value that the effect follows and the temperatures of its nodes, [nodes] K. It gives the heat in W
+    that the whole place would take if it were at that temperature, [nodes], and of which each node has its share: surfaces by area, layers
+    by heat capacity. With the derivatives in W/K beside it, `return watts, slope`, it is called once; otherwise twice, for the difference.
+
+    at: a region, layer, zone or patch, or a list of them. follows: a formula of inputs and columns, "speed * abs(lateral_force)".
+
+    >>> import tiretherm as tt
+    >>> def glow(signal, T):
+    ...     return 5.67e-8 * 0.9 * 0.4 * (300.0**4 - T**4)  # 0.4 m2 that see surroundings of 300 K
+    >>> case = tt.Case.from_file("cases/two_node/4000N_100kmh.toml")
+    >>> result = case.run(effects={"glow": tt.Effect(glow, at="surface")})
+    >>> float(result.budget["glow"][-1]) < 0
+    True
+    """
+
+    law: Callable[[float, Array], Any]
+    at: str | Sequence[str]
+    follows: str = "1"
 
 
 class Case:
@@ -150,8 +175,8 @@ class Case:
         """The file of the case as it is now: the original, or one that includes it and sets values."""
         return self._written()[0]
 
-    def _written(self) -> tuple[Path, Places]:
-        if not self._values and not self._unset:
+    def _written(self, effects: Mapping[str, Effect] | None = None) -> tuple[Path, Places]:
+        if not self._values and not self._unset and not effects:
             return self._file, {}
         path = self._work.path / "cases" / f"{_tiretherm.case_name(str(self._file))}.toml"
         lines = [f"include = [{toml_text(str(self._file))}]"]
@@ -166,6 +191,11 @@ class Case:
         for address, value in self._values.items():
             lines.append(f"{toml_text(address)} = {toml_text(value)}")
             places[(str(path), len(lines))] = self._places[address]
+        for name, effect in (effects or {}).items():
+            values = {"name": name, "at": effect.at, "follows": effect.follows, "watts": "1 W"}
+            for line in ("[[source]]", *(f"{key} = {toml_text(value)}" for key, value in values.items())):
+                lines.append(line)
+                places[(str(path), len(lines))] = caller_place()
         path.parent.mkdir(parents=True, exist_ok=True)
         text = "\n".join(lines) + "\n"
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
@@ -191,7 +221,8 @@ class Case:
         fresh: bool = False,
         what_if: bool = False,
         changes: Sequence[str] = (),
-        sensors: Mapping[str, Callable[[float, np.ndarray[Any, Any]], float]] | None = None,
+        sensors: Mapping[str, Callable[[float, Array], float]] | None = None,
+        effects: Mapping[str, Effect] | None = None,
         progress: ProgressOption = None,
     ) -> Result:
         """Simulates the case, of a car all its tires.
@@ -199,14 +230,16 @@ class Case:
         run: which [[run]]; default the first. out: a folder for the files of `tiretherm run`; default none, and all is in
         memory. field_interval: s between stored fields; 0 as the case says. changes: as --change. sensors: functions of
         the time in s and the temperatures of all nodes in K, [nodes], which become channels; each is called at every row of
-        output (some 1 us and what it does itself) and must not keep the array.
+        output (some 1 us and what it does itself) and must not keep the array. effects: by name, beside those of the case.
 
         Raises CaseError; SolverError; Interrupted after Ctrl-C, whose `result` has the rows up to then.
         """
-        path, places = self._written()
+        path, places = self._written(effects)
+        laws = {name: effect.law for name, effect in (effects or {}).items()}
         outcome = _tiretherm.run(
             case_file=str(path), run=run, directory="" if out is None else str(out), field_interval=field_interval,
-            fresh=fresh, what_if=what_if, changes=list(changes), sensors=list((sensors or {}).items()), **manner(progress),
+            fresh=fresh, what_if=what_if, changes=list(changes), sensors=list((sensors or {}).items()),
+            laws=laws, **manner(progress),
         )  # fmt: skip
         folder = None if out is None else Path(out)
         result = Result(outcome, self._shown, folder) if outcome.runs and outcome.has_page else None
@@ -252,8 +285,8 @@ class Case:
         fresh: bool = False,
         progress: ProgressOption = None,
     ) -> Diagnosis:
-        """Finds which effects the model lacks. time_limit: s, after which the best answer so far is given; it ends other
-        calls that are under way as well. by_run: each run alone, too; default: where that is quick."""
+        """Finds which effects the model lacks. time_limit: s, after which the best answer so far is given, or SolverError raised
+        where there is none. by_run: each run alone, too; default: where that is quick."""
         more = {
             "fresh": fresh, "time_limit": time_limit, "by_run": by_run is True, "no_by_run": by_run is False,
         }  # fmt: skip

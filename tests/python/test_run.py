@@ -5,6 +5,7 @@ import json
 import os
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -107,6 +108,95 @@ class Run(unittest.TestCase):
                 call()
             except ImportError as error:
                 self.assertIn(package, str(error))
+
+
+class Effects(unittest.TestCase):
+    """Laws in Python: 0.8 W/K from the bulk to air of 23 degC, as an [[exchange]] of the case has it."""
+
+    WALL = """
+        [[exchange]]
+        name = "wall"
+        at = "bulk"
+        conductance = "0.8 W/K"
+        temperature = "23 degC"
+    """
+
+    @staticmethod
+    def case(more=""):
+        case = tt.Case.from_text(f'include = ["{Path(TWO_NODES).absolute()}"]\n{more}')
+        case["time.step"] = "5 s"
+        return case
+
+    # Of equal steps each is solved to some 1e-9 K, whoever computes the heat.
+    def test_law_equals_that_of_the_case(self):
+        expected = self.case(self.WALL).run()
+        laws = {
+            "with its derivative": lambda signal, T: (0.8 * (296.15 - T), np.full_like(T, -0.8)),
+            "without": lambda signal, T: 0.8 * (296.15 - T),
+        }
+        for name, law in laws.items():
+            with self.subTest(name):
+                result = self.case().run(effects={"wall": tt.Effect(law, at="bulk")})
+                for channel in ("surface_temperature", "bulk_temperature"):
+                    np.testing.assert_allclose(
+                        result.channels[channel], expected.channels[channel].values, rtol=0, atol=1e-7
+                    )
+                np.testing.assert_allclose(result.budget["wall"], expected.budget["wall"].values, rtol=0, atol=1e-6)
+                self.assertLess(result.summary["energy_closure"], 1e-10)
+
+    # 4 kN at 100 km/h for an hour: the signal is in SI units.
+    def test_law_has_the_signal_that_it_follows(self):
+        seen = set()
+
+        def law(signal, T):
+            seen.add((round(signal, 6), T.shape))
+            return 1e-3 * signal
+
+        result = self.case().run(effects={"rolling": tt.Effect(law, at="bulk", follows="speed * vertical_load")})
+        self.assertEqual(seen, {(round(4000 * 100 / 3.6, 6), (1,))})
+        self.assertAlmostEqual(result.budget["rolling"][-1], 4000 / 3.6 * 0.1, places=9)
+
+    # Nodes share a layer by heat capacity and a surface by area: whatever they are, their sum is the whole.
+    def test_nodes_share_the_heat(self):
+        case = tt.Case.from_file("cases/section/4000N_100kmh.toml")
+        case["time.end"] = "60 s"
+        result = case.run(effects={"belt": tt.Effect(lambda signal, T: 10.0, at="tread")})
+        self.assertAlmostEqual(result.budget["belt"][-1], 10.0, places=9)
+
+    def test_what_a_law_raises_comes_out(self):
+        with self.assertRaises(ZeroDivisionError):
+            self.case().run(effects={"bad": tt.Effect(lambda signal, T: 1 / 0, at="bulk")})
+        with self.assertRaisesRegex(ValueError, "bad gives 3 values; its place has 1 node"):
+            self.case().run(effects={"bad": tt.Effect(lambda signal, T: np.zeros(3), at="bulk")})
+        with self.assertRaisesRegex(ValueError, "bad gives no numbers"):
+            self.case().run(effects={"bad": tt.Effect(lambda signal, T: "hot", at="bulk")})
+        with self.assertRaises(tt.SolverError):
+            self.case().run(effects={"bad": tt.Effect(lambda signal, T: float("nan"), at="bulk")})
+
+    def test_wrong_place_is_said_at_the_users_line(self):
+        with self.assertRaises(tt.CaseError) as raised:
+            self.case().run(effects={"bad": tt.Effect(lambda signal, T: 0.0, at="bulks")})
+        (finding,) = raised.exception.findings
+        self.assertEqual(Path(finding.file).name, Path(__file__).name)
+        self.assertIn("bulks", finding.message)
+
+    def test_cost_is_told(self):
+        calls = 0
+
+        def law(signal, T):
+            nonlocal calls
+            calls += 1
+            return 0.8 * (296.15 - T), np.full_like(T, -0.8)
+
+        seconds = {}
+        for name, run in {
+            "of the case": lambda: self.case(self.WALL).run(),
+            "in Python": lambda: self.case().run(effects={"wall": tt.Effect(law, at="bulk")}),
+        }.items():
+            begin = time.perf_counter()
+            run()
+            seconds[name] = time.perf_counter() - begin
+        print("An effect:", ", ".join(f"{1e3 * s:.1f} ms {name}" for name, s in seconds.items()), f"with {calls} calls")
 
 
 class Values(unittest.TestCase):
