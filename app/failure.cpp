@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Turns exceptions that no command explains into sentences, and watches over standard output.
+// Watches over standard output.
 
 #include "app/failure.hpp"
 
@@ -8,10 +8,8 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
-#include <new>
-#include <stdexcept>
+#include <string>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -19,11 +17,6 @@
 namespace tiretherm::app {
 
 namespace {
-
-std::string& doing() {
-    static std::string what = "reading the call";
-    return what;
-}
 
 /// Why standard output took nothing; 0: not known.
 int& lost_by() {
@@ -41,28 +34,6 @@ bool is_lost_output(const std::exception& error) {
         lost_by() = system->code().value();
     }
     return true;
-}
-
-const std::string& now_done() { return doing(); }
-
-void now_doing(std::string what) { doing() = std::move(what); }
-
-Failure failure_of(const std::exception& error) {
-    constexpr const char* smaller = "take fewer cells, rows or samples; tiretherm check says how large a case is";
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
-        return {fmt::format("{} failed: there is not enough memory", doing()), smaller};
-    }
-    if (dynamic_cast<const std::length_error*>(&error) != nullptr) {
-        return {fmt::format("{} failed: a size is beyond any memory", doing()), smaller};
-    }
-    if (const auto* files = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
-        const std::string path = files->path1().empty() ? "" : files->path1().string() + ": ";
-        return {fmt::format("{} failed: {}{}", doing(), path, files->code().message()), ""};
-    }
-    if (const auto* system = dynamic_cast<const std::system_error*>(&error)) {
-        return {fmt::format("{} failed: {}", doing(), system->code().message()), ""};
-    }
-    return {fmt::format("{} failed: {}", doing(), error.what()), ""};
 }
 
 void keep_standard_streams() {

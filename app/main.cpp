@@ -18,7 +18,8 @@
 #include "app/failure.hpp"
 #include "app/help/help_text.hpp"
 #include "app/messages.hpp"
-#include "app/output.hpp"
+#include "calls/doing.hpp"
+#include "calls/output.hpp"
 #include "input/text/suggestions.hpp"
 #include "input/text/word_lists.hpp"
 #include "solver/stop_signal.hpp"
@@ -168,11 +169,11 @@ int run_call(int argc, char** argv) {
         report_wrong_call(program, error, arguments, json);
         return app::Exit::input_error;
     } catch (const solver::Interrupted&) {
-        app::report_error(app::stop_sentence() + " while " + app::now_done(), "nothing was written", json);
-        return app::stop_exit();
+        app::report_error(calls::stop_sentence() + " while " + calls::now_done(), "nothing was written", json);
+        return calls::stop_exit();
     } catch (const std::exception& error) {
         if (!app::is_lost_output(error)) {  // which is said at the end
-            const app::Failure failure = app::failure_of(error);
+            const calls::Failure failure = calls::failure_of(error);
             app::report_error(failure.sentence, failure.remedy, json);
         }
         return app::Exit::input_error;

@@ -21,12 +21,13 @@ show_progress() {
     fi
 }
 
-# configure PRESET: where the build folder is new or older than the presets. A folder made for another place of the tree
-# (a moved or mounted copy) is started anew.
+# configure PRESET: where the build folder is new, or older than the presets or the packages that are installed. A folder made for
+# another place of the tree (a moved or mounted copy) is started anew.
 configure() {
     local build="$root/build/$1" fresh=""
     grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt" || fresh="--fresh"
-    if [ -n "$fresh" ] || [ ! "$build/build.ninja" -nt "$root/CMakePresets.json" ]; then
+    if [ -n "$fresh" ] || [ ! "$build/build.ninja" -nt "$root/CMakePresets.json" ] ||
+        [ ! "$build/build.ninja" -nt /var/lib/dpkg/status ]; then
         (cd "$root" && cmake --preset "$1" $fresh) && touch "$build/build.ninja"
     fi
 }

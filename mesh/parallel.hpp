@@ -22,6 +22,10 @@ namespace tiretherm {
     return static_cast<int>(std::clamp<std::size_t>(n, 1, most));
 }
 
+/// What a computation has to do with: a place of whoever began it, nullptr without one. The tasks of `in_parallel` have that of the thread that
+/// shares them out.
+inline thread_local void* of_computation = nullptr;
+
 /// Does something n times, several at a time, each begun when a thread is free, in the order of its number. What it throws
 /// first is thrown here when all that had been begun has ended; nothing more is begun then. Where there is one thread for
 /// all because there is one task, the task may split its loops.
@@ -30,7 +34,9 @@ template <typename Work>
 void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
     std::atomic<std::size_t> next{0};
     std::exception_ptr thrown;
+    void* const computation = of_computation;
     const auto work_on = [&] {
+        of_computation = computation;
         for (std::size_t i = next++; i < n; i = next++) {
             try {
                 work(i);

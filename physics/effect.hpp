@@ -144,6 +144,7 @@ struct ActiveEffect {
     std::vector<Override> overrides;
     std::shared_ptr<const Field> field{};         ///< replaces the weights of `place`
     std::shared_ptr<const MeasuredLoss> total{};  ///< replaces the total of the effect's law
+    std::shared_ptr<const OwnLaw> law{};          ///< of a user's heat source, in the place of its number
     std::vector<int> lumped_nodes;                ///< filled by `extend`: lumped nodes of its own
     std::vector<int> coupling_faces;              ///< filled by `extend`: faces that lead to lumped nodes; of a contact
                                                   ///< by `place`: from each of its nodes to a drum that it heats

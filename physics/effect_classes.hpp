@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -83,6 +84,14 @@ struct EvaluationState {
 
 /// A law that scales the strain-energy loss by a region's mean temperature.
 using LossLaw = LossFactor (*)(const EvaluationState& state);
+
+/// A law that the calling program gives to a heat source of a case, in the place of its number.
+struct OwnLaw {
+    std::function<void(const EvaluationState& state, Terms& terms)> add_terms;
+
+    /// To the digest of a problem: of what it computes nothing is known, so that no other law is taken for it.
+    void add_to(auto& digest) const { digest.add(reinterpret_cast<std::uintptr_t>(this)); }
+};
 
 /// What kind of channel a sensor model applies to.
 enum class ChannelsOf : std::uint8_t { anything, temperature, temperature_at_point, pressure };

@@ -3,30 +3,32 @@
 
 #include "solver/stop_signal.hpp"
 
-#include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdint>
 #include <limits>
+#include <utility>
+
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::solver {
 
 namespace {
 
-// Set by the thread that the signal reaches, read by all.
-std::atomic<bool> requested = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "or a handler may not touch it");
 
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
-std::atomic<std::int64_t> deadline = never;  // ns of the steady clock
 
-std::int64_t now() {
-    return deadline == never ? 0 : std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
-}
+StopRequest of_program;  // set by the thread that the signal reaches, read by all that belong to no scope
+
+StopRequest& present() { return of_computation != nullptr ? *static_cast<StopRequest*>(of_computation) : of_program; }
+
+std::int64_t now() { return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1); }
+
+bool has_passed(std::int64_t deadline) { return deadline != never && now() >= deadline; }
 
 thread_local bool may_leave_reading = false;
 
-extern "C" void request(int /*signal*/) { requested = true; }
+extern "C" void request(int /*signal*/) { of_program.asked = true; }
 
 }  // namespace
 
@@ -38,16 +40,20 @@ void install_stop_handlers() {
     sigaction(SIGTERM, &action, nullptr);
 }
 
-bool stop_requested() { return requested || now() >= deadline; }
+StopScope::StopScope() : around_(std::exchange(of_computation, &request_)) {}
+
+StopScope::~StopScope() { of_computation = around_; }
+
+bool stop_requested() { return of_program.asked || present().asked || has_passed(present().deadline); }
 
 void stop_after(double seconds) {
-    const auto from = std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+    const std::int64_t from = now();
     // Some hundred years fit into 64 bits; what is longer has no end.
     const bool fits = 1e9 * seconds < static_cast<double>(never - from);
-    deadline = fits ? from + static_cast<std::int64_t>(1e9 * seconds) : never;
+    present().deadline = fits ? from + static_cast<std::int64_t>(1e9 * seconds) : never;
 }
 
-bool is_time_up() { return !requested && now() >= deadline; }
+bool is_time_up() { return !of_program.asked && !present().asked && has_passed(present().deadline); }
 
 void leave_if_stopped() {
     if (stop_requested()) {

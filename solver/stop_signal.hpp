@@ -2,19 +2,46 @@
 // Regular end of a command on Ctrl-C or SIGTERM.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <exception>
+#include <limits>
 
 namespace tiretherm::solver {
 
 /// From now on Ctrl-C (SIGINT) and SIGTERM request a regular end; the second signal ends the program at once.
 void install_stop_handlers();
 
-/// Whether the user has asked for an end, or the time is up.
+/// What asks for an end.
+struct StopRequest {
+    std::atomic<bool> asked = false;
+    std::atomic<std::int64_t> deadline = std::numeric_limits<std::int64_t>::max();  ///< ns of the steady clock
+};
+
+/// How one of several computations in a program is ended, while the others go on. While it lives, what its thread does belongs to it, with
+/// the tasks that this thread shares out.
+class StopScope {
+public:
+    StopScope();
+    ~StopScope();
+    StopScope(const StopScope&) = delete;
+    StopScope& operator=(const StopScope&) = delete;
+
+    /// Asks for its end, from any thread or from the handler of a signal.
+    void ask() { request_.asked = true; }
+
+private:
+    StopRequest request_;
+    void* around_;  ///< what the thread belongs to when this one has ended
+};
+
+/// Whether the user has asked for an end, of the program or of the present scope, or the time is up.
 [[nodiscard]] bool stop_requested();
 
-/// From so many seconds on, counted from now, an end counts as asked for. @param seconds of wall time; infinite: never
+/// From so many seconds on, counted from now, an end counts as asked for: of the present scope, or else of the program.
+/// @param seconds of wall time; infinite: never
 void stop_after(double seconds);
-/// Whether the time of `stop_after` is up and no signal came.
+/// Whether the time of `stop_after` is up and nobody asked.
 [[nodiscard]] bool is_time_up();
 
 /// The user has asked for an end: leaves a computation of many simulations, whose caller says what it was.

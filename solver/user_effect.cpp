@@ -150,4 +150,21 @@ std::size_t find_user_effect(const Problem& problem, std::string_view name) {
     return static_cast<std::size_t>(found - problem.effects.begin());
 }
 
+bool give_law(Problem& problem, std::string_view name, std::shared_ptr<const physics::OwnLaw> law) {
+    const std::size_t e = find_user_effect(problem, name);
+    if (e == problem.effects.size() || problem.effects[e].effect->id != "own_source") {
+        return false;
+    }
+    problem.effects[e].law = std::move(law);
+    return true;
+}
+
+void take_laws(const Problem& from, Problem& to) {
+    for (const physics::ActiveEffect& active : from.effects) {
+        if (active.law) {
+            static_cast<void>(give_law(to, active.name, active.law));
+        }
+    }
+}
+
 }  // namespace tiretherm::solver

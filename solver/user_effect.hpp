@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -52,5 +53,10 @@ std::size_t add_user_effect(Problem& problem, const UserEffect& user_effect);
 
 /// Index of a user effect by its name, problem.effects.size() when there is none.
 [[nodiscard]] std::size_t find_user_effect(const Problem& problem, std::string_view name);
+
+/// Gives a heat source a law in the place of its number. @returns false where the problem has no heat source of this name
+[[nodiscard]] bool give_law(Problem& problem, std::string_view name, std::shared_ptr<const physics::OwnLaw> law);
+/// Gives the laws of a problem to another one that was read of the same case.
+void take_laws(const Problem& from, Problem& to);
 
 }  // namespace tiretherm::solver

@@ -16,8 +16,8 @@
 #include "app/commands.hpp"
 #include "app/commands/check_log.hpp"
 #include "app/commands/check_study.hpp"
-#include "app/failure.hpp"
 #include "app/messages.hpp"
+#include "calls/doing.hpp"
 #include "input/log_survey/log_survey.hpp"
 #include "input/model/size_limits.hpp"
 #include "input/runs/read_experiment.hpp"
@@ -295,7 +295,7 @@ int check(const CheckOptions& options) {
                      options.json);
         return Exit::input_error;
     }
-    now_doing(fmt::format("reading {} and the files that it names", options.case_file));
+    calls::now_doing(fmt::format("reading {} and the files that it names", options.case_file));
     if (options.data.empty()) {
         if (const std::optional<int> exit_code = check_study(options.case_file, options.json)) {
             return *exit_code;

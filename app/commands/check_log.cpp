@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
-#include "app/failure.hpp"
 #include "app/given_units.hpp"
 #include "app/messages.hpp"
+#include "calls/doing.hpp"
 #include "input/log_survey/log_survey.hpp"
 #include "input/text/characters.hpp"
 #include "post/report/report.hpp"
@@ -137,7 +137,7 @@ int check_log(const std::filesystem::path& path, const std::vector<std::string>&
     if (!given) {
         return Exit::input_error;
     }
-    now_doing(fmt::format("reading {}", path.generic_string()));
+    calls::now_doing(fmt::format("reading {}", path.generic_string()));
     input::InputErrors errors;
     const std::optional<input::LogSurvey> survey = input::survey_log(path, *given, errors);
     if (!survey) {

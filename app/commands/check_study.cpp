@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
-#include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "input/studies/study.hpp"
 #include "input/text/characters.hpp"

@@ -12,10 +12,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
-#include "app/failure.hpp"
 #include "app/given_units.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
+#include "app/terminal.hpp"
+#include "calls/doing.hpp"
+#include "calls/output.hpp"
 #include "input/files/nearby_file.hpp"
 #include "input/log_survey/log_survey.hpp"
 #include "input/new_case/new_case.hpp"
@@ -270,8 +272,8 @@ int make_case(const NewOptions& options) {
                      "replace it with --force, or write elsewhere with --out FILE", options.json);
         return Exit::input_error;
     }
-    const input::NewCase made =
-        while_reading(request->log ? request->log->string() : file, [&] { return input::make_new_case(*request); });
+    const input::NewCase made = calls::while_reading(request->log ? request->log->string() : file,
+                                                     [&] { return input::make_new_case(*request); });
     if (replaces_input(request->target, made.files, options.json)) {
         return Exit::input_error;
     }
@@ -279,7 +281,7 @@ int make_case(const NewOptions& options) {
         report_errors({.errors = made.errors, .warnings = made.warnings}, "no case was written", options.json);
         return Exit::input_error;
     }
-    if (was_stopped("no case was written", options.json)) {
+    if (Terminal terminal(options.json, false); calls::was_stopped("no case was written", terminal)) {
         return Exit::interrupted;
     }
     try {

@@ -15,9 +15,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
+#include "app/terminal.hpp"
+#include "calls/doing.hpp"
+#include "calls/output.hpp"
 #include "post/export/chart_pictures.hpp"
 #include "post/page/html_page.hpp"
 #include "post/pair/pair_report.hpp"
@@ -88,7 +90,7 @@ std::optional<post::PageCharts> read_charts(const ReportOptions& options) {
     if (!has_page(options)) {
         return std::nullopt;
     }
-    now_doing("reading " + options.page().string());
+    calls::now_doing("reading " + options.page().string());
     try {
         return post::read_page(options.page());
     } catch (const std::runtime_error& error) {
@@ -222,7 +224,7 @@ int make_pictures(const ReportOptions& options) {
                                        .stopped = solver::stop_requested};
     try {
         for (DrawnPage& drawn : pages) {
-            now_doing(fmt::format("drawing the charts of {}", drawn.options.page().string()));
+            calls::now_doing(fmt::format("drawing the charts of {}", drawn.options.page().string()));
             drawn.pictures = post::chart_pictures(*browser, drawn.page, request);
         }
         for (const DrawnPage& drawn : pages) {
@@ -271,14 +273,15 @@ int report_pair(const ReportOptions& options) {
             ? fs::path("out") / (results[0].folder.lexically_normal().filename().string() + "_against_" +
                                  results[1].folder.lexically_normal().filename().string())
             : fs::path(options.directory);
-    const auto folder = open_output(directory, read, post::page_names(), "nothing was written", options.json);
-    if (!folder || !write_output(*folder, {}, options.json, [&] {
+    Terminal terminal(options.json, false);
+    const auto folder = calls::open_output(directory, read, post::page_names(), "nothing was written", terminal);
+    if (!folder || !calls::write_output(*folder, {}, terminal, [&] {
             page.add(folder->homes(post::page_files(folder->stage())));
             post::write_page(folder->stage(), page, {.kind = "report", .source = {}, .files = read});
         })) {
         return Exit::input_error;
     }
-    print_report(page, options.json);
+    terminal.take(page);
     return Exit::done;
 }
 

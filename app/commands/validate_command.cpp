@@ -13,9 +13,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "app/failure.hpp"
 #include "app/measured_call.hpp"
-#include "app/messages.hpp"
+#include "calls/doing.hpp"
+#include "calls/output.hpp"
 #include "diagnosis/validation/validation_rows.hpp"
 #include "diagnosis/validation/validation_runs.hpp"
 #include "input/files/run_name.hpp"
@@ -32,7 +32,7 @@ namespace {
 
 constexpr const char* shipped = "cases/validation.toml";
 
-struct ValidateOptions : MeasuredCall {
+struct ValidateOptions : Told<calls::MeasuredCall> {
     std::string table = shipped;
     std::vector<std::string> only;
     unsigned threads = 0;
@@ -67,16 +67,17 @@ bool refuses(input::ValidationReading& reading, const ValidateOptions& options) 
 }
 
 /// Writes the files of the call and prints its page.
-int finish(const ValidateOptions& options, const diagnosis::ValidationRecord& record, post::OutputFolder& folder) {
-    const auto page = write_measured_page(
-        options, folder, post::validation_names(), "validate",
+int finish(const ValidateOptions& options, const diagnosis::ValidationRecord& record, post::OutputFolder& folder,
+           calls::Caller& caller) {
+    const auto page = calls::write_measured_page(
+        options, folder, post::validation_names(), "validate", caller,
         [&](const std::filesystem::path& stage) { return post::write_validation(record, stage); },
         [&](const auto& files) { return post::validation_report(record, options.inputs, files); });
     if (!page) {
         return Exit::input_error;
     }
     if (!options.markdown) {
-        print_page(options, *page);
+        caller.take(*page);
     }
     return Exit::done;
 }
@@ -92,23 +93,22 @@ std::vector<std::string> files_of(const ValidateOptions& options, const input::V
     return files;
 }
 
-int validate(const ValidateOptions& options) {
-    solver::install_stop_handlers();
+int validate(const ValidateOptions& options, calls::Caller& caller) {
     input::ValidationReading reading =
-        while_reading(options.table, [&] { return input::read_validation(options.table); });
+        calls::while_reading(options.table, [&] { return input::read_validation(options.table); });
     if (refuses(reading, options)) {
         return Exit::input_error;
     }
     const input::Validation& table = *reading.table;
     std::unique_ptr<post::OutputFolder> folder;
     if (!options.markdown || !options.directory.empty()) {
-        folder = open_output(folder_of(options, "out/" + input::plain_stem(options.table) + "/validate"),
-                             files_of(options, table), post::validation_names(), "nothing was run", options.json);
+        folder = calls::open_output(calls::folder_of(options, "out/" + input::plain_stem(options.table) + "/validate"),
+                                    files_of(options, table), post::validation_names(), "nothing was run", caller);
         if (!folder) {
             return Exit::input_error;
         }
     }
-    now_doing("making the runs of " + options.table);
+    calls::now_doing("making the runs of " + options.table);
     const Clock::time_point begin = Clock::now();
     post::ProgressLine line(stderr, options.quiet);
     const diagnosis::RunResults results = diagnosis::run_all(
@@ -128,7 +128,7 @@ int validate(const ValidateOptions& options) {
                                              .energy_closure = results.energy_closure,
                                              .warnings = warnings};
     if (folder) {
-        if (const int written = finish(options, record, *folder); written != Exit::done) {
+        if (const int written = finish(options, record, *folder, caller); written != Exit::done) {
             return written;
         }
     }
@@ -163,8 +163,7 @@ void add_validate_command(CLI::App& program, int& exit_code) {
                    "Where the files go; those of an earlier validation there are replaced. Default: out/<table "
                    "name>/validate");
     command->add_flag("--no-report", options->no_report, "No report.html and no page.txt");
-    add_quiet_option(*command, options->quiet);
-    command->add_flag("--json", options->json, "One JSON object instead of the table");
+    add_told_options(*command, *options, "table");
     command->add_flag("--markdown", options->markdown, "The table for a README, and no files without --out")
         ->excludes("--json");
     command->add_flag("--inputs", options->inputs,
@@ -179,7 +178,7 @@ void add_validate_command(CLI::App& program, int& exit_code) {
         "130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm validate --only M1,M2");
-    command->callback([options, &exit_code] { exit_code = validate(*options); });
+    command->callback([options, &exit_code] { exit_code = make(*options, validate); });
 }
 
 }  // namespace tiretherm::app

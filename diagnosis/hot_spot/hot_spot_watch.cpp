@@ -12,6 +12,7 @@
 #include "mesh/parallel.hpp"
 #include "solver/stop_signal.hpp"
 #include "solver/time_integration/run_to_end.hpp"
+#include "solver/user_effect.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -175,13 +176,14 @@ void HotSpotTracker::add_spread(HotSpots& into) const {
     const std::size_t n = case_->uncertain.size();
     std::vector<solver::PlaceSlopes> sides(2 * n);
     const auto to_a_side = [&](std::size_t i) {
-        const auto problem = case_->moved(case_->uncertain[i / 2], i % 2 == 0 ? -1.0 : 1.0);
+        auto problem = case_->moved(case_->uncertain[i / 2], i % 2 == 0 ? -1.0 : 1.0);
         sides[i].status.outcome = solver::Outcome::stopped;
         if (i % 2 == 0 && !case_->uncertain[i / 2].alternative.empty()) {
             return;  // the case itself is its other side
         }
         // Places are nodes of the case's own mesh.
         if (problem && problem->mesh.n_nodes == problem_.mesh.n_nodes && !solver::stop_requested()) {
+            solver::take_laws(problem_, *problem);
             sides[i] = solver::place_slopes(*problem, places, {}, base.step_ends);
         }
     };

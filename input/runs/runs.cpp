@@ -231,7 +231,7 @@ void read_run(RunBeingRead& reading, const RunsInCommon& common, std::shared_ptr
     }
     const RunInputs* const inputs = reading.inputs ? &*reading.inputs : nullptr;
     TomlTable root(reading.document, "the case", errors);
-    root.declare_keys({"include", "unset"});
+    root.declare_keys({"include", "unset", "set"});
     reading.tables = read_tables(root, common.name, inputs, std::move(car));
     MeasuredRun& run = reading.run;
     if (inputs != nullptr) {

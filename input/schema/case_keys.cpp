@@ -13,6 +13,7 @@ std::vector<TableKeys> case_tables() {
             texts("sources", "What to cite; printed after a run. Default: none."),
             value("include", "Case files that this one is laid over, relative to it. Default: none."),
             value("unset", "Keys of the included files that do not count here, as paths: `unset = [\"drive.air_temperature\"]`, and by name in lists: `sensor.spot`. Default: none."),
+            value("set", "Values of the included files that are others here, by their paths, also within lists: `set = { \"mesh.layer.tread.thickness\" = \"7 mm\" }`. Default: none."),
             subtable("limits", "How large a run may become."),
             subtable("tire", "The tire."),
             subtable("mesh", "Where the temperatures are.").required(),

@@ -17,6 +17,7 @@ std::vector<TableKeys> study_tables() {
             quantity("critical", temperature, "A temperature that the hottest place should not pass. Default: none."),
             value("include", "As in a case."),
             value("unset", "As in a case."),
+            value("set", "As in a case."),
             subtable("sample", "How many samples are drawn."),
             tables("vary", "A side of the grid."),
             tables("draw", "A value that is drawn at each point of the grid."),

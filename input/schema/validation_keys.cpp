@@ -15,6 +15,7 @@ std::vector<TableKeys> validation_tables() {
             text("title", "Heading of the results. Default: Validation."),
             value("include", "As in a case."),
             value("unset", "As in a case."),
+            value("set", "As in a case."),
             tables("number", "The numbers.").required(),
             tables("input", "The inputs of the experiments."),
             tables("model", "The models that are judged. Default: `two_node` and `section`."),

@@ -132,7 +132,7 @@ public:
 private:
     /// @returns whether there is a case to be read
     bool read_root(TomlTable& root) {
-        root.declare_keys({"include", "unset"});
+        root.declare_keys({"include", "unset", "set"});
         study_.title = root.text("title").value_or(study_.file.stem().string());
         study_.critical = root.quantity("critical");
         const std::optional<std::string> path = root.text("case", Need::required);

@@ -163,10 +163,9 @@ private:
     std::optional<TomlValue> with_included(const fs::path& path, std::optional<TomlValue> own) {
         const TomlValue* include = own ? own->find("include") : nullptr;
         if (include == nullptr) {
-            if (const TomlValue* without = own ? own->find("unset") : nullptr) {
-                errors_->add(without->place, "unset takes keys away from included files, and this file includes none",
-                             "remove the key itself");
-                std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "unset"; });
+            if (own) {
+                refuse(*own, "unset", "takes keys away from included files", "remove the key itself");
+                refuse(*own, "set", "gives values to keys of included files", "write the value at its key");
             }
             return own;
         }
@@ -179,7 +178,14 @@ private:
             unwanted = listed_texts(*without, "unset", {"keys", "a text"}, "write unset = [\"drive.air_temperature\"]",
                                     *errors_, complete);
         }
-        std::erase_if(own->entries, [](const Entry& entry) { return entry.key == "include" || entry.key == "unset"; });
+        TomlValue values;
+        if (TomlValue* given = own->find("set")) {
+            complete = is_table_of_values(*given) && complete;
+            values = std::move(*given);
+        }
+        std::erase_if(own->entries, [](const Entry& entry) {
+            return entry.key == "include" || entry.key == "unset" || entry.key == "set";
+        });
         TomlValue merged;
         merged.kind = TomlValue::Kind::table;
         for (const TomlValue& item : list) {
@@ -196,7 +202,32 @@ private:
         }
         // Last: what the file says itself wins over all that it includes.
         merge(merged, std::move(*own), 0);
+        // Behind the file's own tables, so that a path may lead into them.
+        if (complete) {
+            for (const Entry& entry : values.entries) {
+                set(merged, split_path({entry.key, entry.place}, merged), entry.value, *errors_);
+            }
+        }
         return complete ? std::optional(std::move(merged)) : std::nullopt;
+    }
+
+    /// Takes a key away that makes no sense in a file without includes. @param effect what it does
+    void refuse(TomlValue& own, std::string_view key, std::string_view effect, const std::string& remedy) {
+        if (const TomlValue* value = own.find(key)) {
+            errors_->add(value->place, fmt::format("{} {}, and this file includes none", key, effect), remedy);
+            own.remove(key);
+        }
+    }
+
+    /// Reports `set` where it is something else.
+    bool is_table_of_values(const TomlValue& given) {
+        if (given.kind != TomlValue::Kind::table) {
+            errors_->add(given.place,
+                         fmt::format("set is {}; a table of paths with their values is wanted", shown(given)),
+                         "write set = { \"drive.speed\" = \"80 km/h\" }");
+            return false;
+        }
+        return true;
     }
 
     InputErrors* errors_;

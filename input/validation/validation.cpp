@@ -129,7 +129,7 @@ ValidationReading read_validation(const std::filesystem::path& file) {
     Validation validation;
     if (const std::optional<TomlValue> document = read_document(file, errors)) {
         TomlTable root(*document, "the table", errors);
-        root.declare_keys({"include", "unset"});
+        root.declare_keys({"include", "unset", "set"});
         validation.title = root.text("title").value_or("Validation");
         validation.models = read_models(root);
         cache.emplace(file.parent_path(), validation.models);

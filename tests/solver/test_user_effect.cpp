@@ -2,6 +2,7 @@
 // Effects of the user's own in whole runs, switched on as a diagnosis does it.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <stdexcept>
 
@@ -137,6 +138,32 @@ TEST(UserEffect, EqualsTheSidewallOfTheSameConductance) {
         EXPECT_NEAR(report.channel_final[1], expected.channel_final[1], 0.01);
         EXPECT_NEAR(report.joules[e], expected.joules.back(), 1e-3 * std::abs(expected.joules.back()));
     }
+}
+
+// The same sidewall as a law of the calling program, which says how its heat follows the temperature.
+TEST(UserEffect, LawOfTheCallingProgramEqualsTheSidewall) {
+    Problem sidewall = two_node_tire();
+    act(sidewall, "sidewall_convection", {{"conductance", 6.0}});
+    const MarchReport expected = run_closed(sidewall);
+    const auto law = std::make_shared<const physics::OwnLaw>(
+        physics::OwnLaw{[](const physics::EvaluationState& m, physics::Terms& terms) {
+            const auto bulk = static_cast<std::size_t>(m.active.nodes.front());
+            terms.heat(m.active.nodes.front(), m.coefficients[0] * (296.15 - m.temperature[bulk]), -m.coefficients[0]);
+        }});
+    Problem problem = two_node_tire();
+    const std::size_t e = add_user_effect(problem, heat("bulk", {{0.0}, {0.5}}, 12.0));
+    ASSERT_TRUE(give_law(problem, "throttle_heat", law));
+    const MarchReport report = run_closed(problem);
+    // Both steps keep to the tolerance of 0.01 K.
+    EXPECT_NEAR(report.channel_final[0], expected.channel_final[0], 0.01);
+    EXPECT_NEAR(report.channel_final[1], expected.channel_final[1], 0.01);
+    EXPECT_NEAR(report.joules[e], expected.joules.back(), 1e-3 * std::abs(expected.joules.back()));
+
+    Problem read_again = two_node_tire();
+    add_user_effect(read_again, heat("bulk", {{0.0}, {0.5}}, 12.0));
+    take_laws(problem, read_again);
+    EXPECT_EQ(run_closed(read_again).channel_final, report.channel_final);
+    EXPECT_FALSE(give_law(problem, "air_convection", law)) << "no source of the user's";
 }
 
 // Nothing until 200 s, then 1 for 400 s: a jump takes a millisecond, half of which is lost.

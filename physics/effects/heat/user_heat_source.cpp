@@ -28,6 +28,10 @@ void evaluate_coefficients(const ActiveEffect& active, const OperatingPoint& poi
 }
 
 void add_terms(const EvaluationState& m, Terms& terms) {
+    if (m.active.law) {
+        m.active.law->add_terms(m, terms);
+        return;
+    }
     for (std::size_t i = 0; i < m.active.nodes.size(); ++i) {
         terms.heat(m.active.nodes[i], m.coefficients[0] * m.active.weights[i]);
     }

@@ -53,6 +53,43 @@ TEST(Include, UnsetTakesATableOfAListAwayByItsName) {
     EXPECT_NE(render(wrong).find("did you mean `spot`?"), std::string::npos) << render(wrong);
 }
 
+// A list in a table is replaced as a whole by an including file; a path leads to one value of one of its tables.
+TEST(Include, SetChangesOneValueWithinAListOfAnIncludedFile) {
+    const Written written;
+    written.add("base.toml",
+                "[a]\nx = 1\n[[a.layer]]\nname = \"tread\"\nthickness = \"8 mm\"\n"
+                "[[a.layer]]\nname = \"belt\"\nthickness = \"3 mm\"\n");
+    written.add(
+        "case.toml",
+        "include = [\"base.toml\"]\n[set]\n\"a.layer.tread.thickness\" = \"7 mm\"\n\"a.x\" = 2\n\"a.b.new\" = true\n");
+    InputErrors errors;
+    const TomlValue node = document(written, errors);
+    EXPECT_EQ(errors.count(), 0U);
+    const TomlValue& layers = at(node, {"a", "layer"});
+    ASSERT_EQ(layers.items.size(), 2U);
+    EXPECT_EQ(layers.items[0].find("thickness")->text, "7 mm");
+    EXPECT_EQ(layers.items[1].find("thickness")->text, "3 mm");
+    EXPECT_EQ(at(node, {"a", "x"}).number, 2.0);
+    EXPECT_TRUE(at(node, {"a", "b", "new"}).truth);
+    EXPECT_EQ(node.find("set"), nullptr);
+}
+
+TEST(Include, SetSaysAtItsOwnLineWhatItDoesNotFind) {
+    const Written written;
+    written.add("base.toml", "[[a]]\nname = \"tread\"\nthickness = \"8 mm\"\n");
+    written.add("case.toml", "include = [\"base.toml\"]\n[set]\n\"a.tred.thickness\" = \"7 mm\"\n");
+    InputErrors errors;
+    static_cast<void>(document(written, errors));
+    ASSERT_EQ(errors.count(), 1U);
+    EXPECT_EQ(errors.in_order()[0].what, "there is no \"tred\" in [[a]]");
+    EXPECT_EQ(errors.in_order()[0].line, 3);
+    EXPECT_EQ(errors.in_order()[0].remedy, "did you mean `tread`?");
+    const Reading alone = read_case(written.add("alone.toml", "set = { \"drive.speed\" = 3 }\n" + std::string(bench)));
+    EXPECT_NE(render(alone).find("set gives values to keys of included files, and this file includes none"),
+              std::string::npos)
+        << render(alone);
+}
+
 TEST(Include, TheIncludingFileWinsKeyByKeyAndEveryValueKnowsItsFile) {
     const Written written;
     written.add("base.toml", "[a]\nx = 1\ny = 2\n[a.b]\nz = 3\n");

@@ -9,7 +9,7 @@
 #include "input/studies/study.hpp"
 #include "post/study/study_journal.hpp"
 
-namespace tiretherm::app {
+namespace tiretherm::calls {
 
 /// Takes the runs that the parts' folders inside a study's folder hold into the study's own journal.
 /// @returns what keeps the study from being whole, a sentence each; empty when all runs are there
@@ -17,4 +17,4 @@ namespace tiretherm::app {
 [[nodiscard]] std::vector<std::string> merge_parts(const input::Study& study, const std::filesystem::path& folder,
                                                    const std::string& build, post::StudyJournal& journal);
 
-}  // namespace tiretherm::app
+}  // namespace tiretherm::calls

@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace tiretherm::app {
+namespace tiretherm::calls {
 
 /// Version and build of this program: results that it kept count only for the program that made them. The build is the
 /// linker's hash over the whole of it; where a linker writes none, the version stands alone.
 [[nodiscard]] std::string build_identity();
 
-}  // namespace tiretherm::app
+}  // namespace tiretherm::calls

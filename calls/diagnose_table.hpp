@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `tiretherm diagnose` of a table of measured numbers over many experiments.
+// Diagnosis of a table of measured numbers over many experiments.
 #pragma once
 
 #include <string>
 
-#include "app/measured_call.hpp"
+#include "calls/measured_call.hpp"
 
-namespace tiretherm::app {
+namespace tiretherm::calls {
 
 /// What a table needs to know beside what every diagnosis does.
 struct TableOptions {
@@ -16,6 +16,6 @@ struct TableOptions {
 };
 
 /// Diagnoses a table. @returns the exit code
-[[nodiscard]] int diagnose_table(const MeasuredCall& call, const TableOptions& options);
+[[nodiscard]] int diagnose_table(const MeasuredCall& call, const TableOptions& options, Caller& caller);
 
-}  // namespace tiretherm::app
+}  // namespace tiretherm::calls

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads a table of measured numbers, diagnoses one model by it and writes diagnosis.json and the page.
 
-#include "app/commands/diagnose_table.hpp"
+#include "calls/diagnose_table.hpp"
 
 #include <algorithm>
 #include <chrono>
 
 #include <fmt/format.h>
 
-#include "app/commands.hpp"
-#include "app/failure.hpp"
-#include "app/messages.hpp"
+#include "calls/caller.hpp"
+#include "calls/doing.hpp"
 #include "diagnosis/quoted/quoted_diagnosis.hpp"
 #include "input/files/run_name.hpp"
 #include "input/text/suggestions.hpp"
@@ -18,7 +17,7 @@
 #include "post/quoted/quoted_report.hpp"
 #include "solver/stop_signal.hpp"
 
-namespace tiretherm::app {
+namespace tiretherm::calls {
 
 namespace {
 
@@ -26,14 +25,14 @@ constexpr const char* consequence = "nothing was diagnosed";
 
 /// Index of the model that is asked for. Says what is wrong with the call and returns nothing.
 std::optional<std::size_t> model_of(const MeasuredCall& call, const input::ValidationReading& reading,
-                                    const std::string& wanted) {
+                                    const std::string& wanted, Caller& caller) {
     if (!call.data.empty()) {
-        report_error("a table of measured numbers has no place for --data",
-                     "name a case with [[run]] to diagnose a log, or call it without --data", call.json);
+        caller.refuse("a table of measured numbers has no place for --data",
+                      "name a case with [[run]] to diagnose a log, or call it without --data");
         return std::nullopt;
     }
     if (!reading.table) {
-        report_errors({.errors = reading.errors, .warnings = reading.warnings}, consequence, call.json);
+        caller.refuse(input::CaseFindings{.errors = reading.errors, .warnings = reading.warnings}, consequence);
         return std::nullopt;
     }
     std::vector<std::string> keys;
@@ -49,14 +48,13 @@ std::optional<std::size_t> model_of(const MeasuredCall& call, const input::Valid
     const std::string& model = wanted.empty() ? keys.front() : wanted;
     const auto found = std::ranges::find(keys, model);
     if (found == keys.end()) {
-        report_error(fmt::format("{} has no model \"{}\"", call.case_file, model),
-                     input::suggest(model, keys, "models"), call.json);
+        caller.refuse(fmt::format("{} has no model \"{}\"", call.case_file, model),
+                      input::suggest(model, keys, "models"));
         return std::nullopt;
     }
     if (std::ranges::find(measured, model) == measured.end()) {
-        report_error(fmt::format("{}: no measured number is read from the model {}", call.case_file, model),
-                     measured.empty() ? "" : fmt::format("take --model {}", fmt::join(measured, " or --model ")),
-                     call.json);
+        caller.refuse(fmt::format("{}: no measured number is read from the model {}", call.case_file, model),
+                      measured.empty() ? "" : fmt::format("take --model {}", fmt::join(measured, " or --model ")));
         return std::nullopt;
     }
     return static_cast<std::size_t>(found - keys.begin());
@@ -64,10 +62,10 @@ std::optional<std::size_t> model_of(const MeasuredCall& call, const input::Valid
 
 }  // namespace
 
-int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
+int diagnose_table(const MeasuredCall& call, const TableOptions& options, Caller& caller) {
     const input::ValidationReading reading =
         while_reading(call.case_file, [&] { return input::read_validation(call.case_file); });
-    const std::optional<std::size_t> model = model_of(call, reading, options.model);
+    const std::optional<std::size_t> model = model_of(call, reading, options.model, caller);
     if (!model) {
         return Exit::input_error;
     }
@@ -80,17 +78,17 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
             inputs.push_back(run.file.string());
         }
     }
-    const auto folder = open_output(directory, inputs, names, consequence, call.json);
+    const auto folder = open_output(directory, inputs, names, consequence, caller);
     if (!folder) {
         return Exit::input_error;
     }
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    SimulationCount count(call.quiet);
+    SimulationCount count(caller);
     diagnosis::quoted::Trials trials(*reading.table, *model, options.threads, count.shown());
     const auto stopped = [&] {
         count.wipe();
-        return was_stopped(consequence, call.json);
+        return was_stopped(consequence, caller);
     };
     if (solver::stop_requested() && stopped()) {
         return stop_exit();
@@ -110,18 +108,18 @@ int diagnose_table(const MeasuredCall& call, const TableOptions& options) {
                               .warnings = reading.warnings};
     record.warnings.insert(record.warnings.end(), failures.begin(), failures.end());
     const auto page = write_measured_page(
-        call, *folder, names, "diagnose",
+        call, *folder, names, "diagnose", caller,
         [&](const std::filesystem::path& stage) { return post::write_quoted(record, stage); },
         [&](const auto& files) { return post::quoted_report(record, files); });
     if (!page) {
         return Exit::input_error;
     }
     if (options.markdown) {
-        fmt::print("{}", post::quoted_markdown(record));
+        caller.take(post::quoted_markdown(record));
     } else {
-        print_page(call, *page);
+        caller.take(*page);
     }
     return failures.empty() ? Exit::done : Exit::numerical_failure;
 }
 
-}  // namespace tiretherm::app
+}  // namespace tiretherm::calls

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads the journals of part_K_of_N; runs that no part has are told by the part that should have made them.
 
-#include "app/commands/study_merge.hpp"
+#include "calls/study_merge.hpp"
 
 #include <algorithm>
 #include <map>
@@ -13,7 +13,7 @@
 #include "diagnosis/study/study_part.hpp"
 #include "diagnosis/study/study_runs.hpp"
 
-namespace tiretherm::app {
+namespace tiretherm::calls {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::vector<std::string> merge_parts(const input::Study& study, const std::files
     return problems;
 }
 
-}  // namespace tiretherm::app
+}  // namespace tiretherm::calls
