@@ -14,7 +14,7 @@ foreach(part IN LISTS TIRETHERM_PARTS ITEMS session)
 endforeach()
 install(DIRECTORY mesh physics solver input diagnosis post DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm COMPONENT development
     FILES_MATCHING PATTERN "*.hpp" PATTERN "*.list")  # a header may include a list
-install(FILES docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases COMPONENT program USE_SOURCE_PERMISSIONS)
 install(PROGRAMS tools/spreadsheet_to_case.py DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/tools
     COMPONENT program)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# `cpack --preset release`: packages for Debian 12 (tiretherm, libtiretherm-dev) and a tarball that runs from any folder.
+# `cpack --preset release`: packages for Debian 12 (tiretherm, libtiretherm-dev, python3-tiretherm) and a tarball that runs from any folder.
 set(CPACK_PACKAGE_VENDOR "the tiretherm authors")
 set(CPACK_PACKAGE_CONTACT "the tiretherm authors <maintainers@users.noreply.github.com>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "temperature field of a rolling tire")
@@ -7,6 +7,9 @@ set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_COMPONENTS_ALL program development)
+if(TARGET tiretherm_package)  # build it before
+    list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -29,6 +32,13 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Static libraries, headers and CMake pa
 readers of cases and logs, sessions in real time for C, the diagnosis, and the
 writers of results.")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tiretherm)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "libopenblas0-serial, python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-pandas, python3-xarray")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "Cases, runs with arrays, fits, diagnoses, studies and sessions of tiretherm as
+Python objects.")
+
 # What Debian wants of each package: copyright, changelog. The date is that of SOURCE_DATE_EPOCH where it is set.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
@@ -37,9 +47,9 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     set(folder ${PROJECT_BINARY_DIR}/packages/${package})
     configure_file(packaging/changelog.in ${folder}/changelog @ONLY)
     install(CODE "execute_process(COMMAND gzip -9nkf \"${folder}/changelog\" COMMAND_ERROR_IS_FATAL ANY)"
-        COMPONENT ${component})
-    install(FILES ${folder}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
-    install(FILES packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+        COMPONENT ${component} EXCLUDE_FROM_ALL)
+    install(FILES ${folder}/changelog.gz packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
+        COMPONENT ${component} EXCLUDE_FROM_ALL)
 endforeach()
 
 install(FILES packaging/lintian_overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME tiretherm

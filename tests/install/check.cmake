@@ -22,7 +22,7 @@ endfunction()
 
 step(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/prefix)
 foreach(installed bin/tiretherm include/tiretherm/mesh/mesh.hpp share/tiretherm/cases share/tiretherm/tools/spreadsheet_to_case.py
-        share/bash-completion/completions/tiretherm share/zsh/site-functions/_tiretherm share/doc/tiretherm/copyright)
+        share/bash-completion/completions/tiretherm share/zsh/site-functions/_tiretherm share/doc/tiretherm/LICENSE)
     if(NOT EXISTS ${scratch}/prefix/${installed})
         message(FATAL_ERROR "${installed} was not installed")
     endif()
