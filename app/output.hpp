@@ -17,7 +17,8 @@ class App;
 namespace tiretherm::app {
 
 /// --out, which must have a name. @param what the line of the help  @param type "DIR" or "FILE"
-void add_out_option(CLI::App& command, std::string& target, const std::string& what, const char* type = "DIR");
+void add_out_option(CLI::App& command, std::string& target, const std::string& what, const char* type = "DIR",
+                    const char* names = "--out");
 
 /// Opens the folder for a call's files; reports why that cannot be done.
 /// @param inputs files that the call reads  @param names of files that it may write or remove
