@@ -31,7 +31,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86
     target_include_directories(tiretherm_fmu PRIVATE ${PROJECT_SOURCE_DIR})
     target_include_directories(tiretherm_fmu SYSTEM PRIVATE ${CHOLMOD_INCLUDE_DIR})
     target_link_libraries(tiretherm_fmu PRIVATE Eigen3::Eigen ${archives} m)
-    target_link_options(tiretherm_fmu PRIVATE -static-libstdc++ -static-libgcc -Wl,--gc-sections -Wl,-z,defs
+    target_link_options(tiretherm_fmu PRIVATE -static-libstdc++ -static-libgcc -s -Wl,--gc-sections -Wl,-z,defs
         -Wl,--exclude-libs,ALL -Wl,--version-script=${fmu_exports})
     tiretherm_precompile(tiretherm_fmu)
     tiretherm_batches(tiretherm_fmu)

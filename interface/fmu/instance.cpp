@@ -58,9 +58,9 @@ Instance::Instance(const std::filesystem::path& resources, std::string_view toke
                     inputs_.size(), session_->model().parameters.size(), session_->model().problem.channels.size()));
 }
 
-void Instance::check_mode(std::string_view name, std::initializer_list<Mode> allowed) const {
+void Instance::check_mode(std::initializer_list<Mode> allowed) const {
     if (std::ranges::find(allowed, mode_) == allowed.end()) {
-        throw std::logic_error(fmt::format("{} cannot be called while the instance is {}", name, name_of(mode_)));
+        throw std::logic_error(fmt::format("it cannot be called while the instance is {}", name_of(mode_)));
     }
 }
 

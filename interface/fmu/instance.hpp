@@ -60,7 +60,7 @@ public:
     template <typename Call>
     Status run(std::string_view name, std::initializer_list<Mode> allowed, const Call& call) {
         try {
-            check_mode(name, allowed);
+            check_mode(allowed);
             call();
             return Status::ok;
         } catch (const Discarded& reason) {
@@ -96,7 +96,7 @@ public:
     [[nodiscard]] KeptState deserialised(std::string_view bytes) const;
 
 private:
-    void check_mode(std::string_view name, std::initializer_list<Mode> allowed) const;
+    void check_mode(std::initializer_list<Mode> allowed) const;
     void log(Status status, std::string_view category, const std::string& message) const;
     void follow_settings();
     void check_settable(std::uint32_t which) const;

@@ -9,6 +9,14 @@
 #include <cholmod.h>
 #include <fmt/format-inl.h>
 
+// What the shared library of fmt holds of its templates.
+FMT_BEGIN_NAMESPACE
+namespace detail {
+template auto thousands_sep_impl<char>(locale_ref) -> thousands_sep_result<char>;
+template auto decimal_point_impl<char>(locale_ref) -> char;
+}  // namespace detail
+FMT_END_NAMESPACE
+
 namespace {
 
 int not_installed(cholmod_common* common) {

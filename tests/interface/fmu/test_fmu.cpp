@@ -184,7 +184,7 @@ TEST(Fmu, RefusesWrongSequencesWithAMessage) {
     says("terminated");
     again();
     EXPECT_EQ(fmi.do_step(it, 0.0, 1.0, 1), sample::error);
-    says("fmi2DoStep cannot be called while the instance is in initialization mode");
+    says("fmi2DoStep: it cannot be called while the instance is in initialization mode");
     again();
     ASSERT_EQ(fmi.exit(it), sample::ok);
     EXPECT_EQ(fmi.do_step(it, 5.0, 1.0, 1), sample::error);

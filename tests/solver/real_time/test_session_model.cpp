@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/tire_laws/measured_loss.hpp"
 #include "solver/bench.hpp"
 #include "solver/field_digest.hpp"
 #include "solver/real_time/tunable_session.hpp"
