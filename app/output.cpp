@@ -14,13 +14,14 @@
 
 namespace tiretherm::app {
 
-void add_out_option(CLI::App& command, std::string& target, const std::string& what, const char* type) {
+void add_out_option(CLI::App& command, std::string& target, const std::string& what, const char* type,
+                    const char* names) {
     const CLI::Validator named(
         [](const std::string& text) {
             return text.empty() ? std::string("it is empty; give a name or leave the option out") : std::string();
         },
         "");
-    command.add_option("--out", target, what)->option_text(type)->check(named);
+    command.add_option(names, target, what)->option_text(type)->check(named);
 }
 
 bool replaces_input(const std::filesystem::path& target, const std::vector<std::string>& inputs, bool json) {

@@ -13,7 +13,8 @@ class App;
 namespace tiretherm::app {
 
 /// --out, which must have a name. @param what the line of the help  @param type "DIR" or "FILE"
-void add_out_option(CLI::App& command, std::string& target, const std::string& what, const char* type = "DIR");
+void add_out_option(CLI::App& command, std::string& target, const std::string& what, const char* type = "DIR",
+                    const char* names = "--out");
 
 /// Whether a file that is to be written is one that the call reads, by whatever link or path; reports it.
 [[nodiscard]] bool replaces_input(const std::filesystem::path& target, const std::vector<std::string>& inputs,

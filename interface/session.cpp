@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C interface: reads a case, keeps a session and the inputs of its next step, and turns what goes wrong into numbers and
-// messages. No exception leaves it.
+// The C interface: reads a case, keeps a session, and turns what goes wrong into numbers and messages. No exception leaves it.
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,8 @@
 #include <exception>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +16,7 @@
 #include "input/runs/reader.hpp"
 #include "interface/tiretherm.h"
 #include "solver/quantity.hpp"
-#include "solver/time_integration/session.hpp"
+#include "solver/real_time/tunable_session.hpp"
 
 using tiretherm::physics::Signal;
 
@@ -24,15 +25,13 @@ struct tiretherm_session {
         std::string name;
         std::string unit;
     };
-    tiretherm_session(const tiretherm::solver::Problem& problem, const tiretherm::physics::Inputs& start)
-        : session(problem, start), inputs(start) {
-        for (const tiretherm::solver::Channel& channel : problem.channels) {
+    explicit tiretherm_session(const tiretherm::solver::SessionModel& model) : session(model) {
+        for (const tiretherm::solver::Channel& channel : model.problem.channels) {
             outputs.push_back({channel.name, std::string(tiretherm::solver::description_of(channel.quantity).unit)});
         }
     }
 
-    tiretherm::solver::Session session;
-    tiretherm::physics::Inputs inputs;
+    tiretherm::solver::TunableSession session;
     std::vector<Output> outputs;
     std::string message;
 };
@@ -51,6 +50,12 @@ const tiretherm_session::Output* output_of(const tiretherm_session* session, int
                : nullptr;
 }
 
+const tiretherm::solver::FreeParameter* parameter_of(const tiretherm_session* session, int parameter) {
+    return session != nullptr && parameter >= 0 && parameter < tiretherm_parameter_count(session)
+               ? &session->session.model().parameters[static_cast<std::size_t>(parameter)]
+               : nullptr;
+}
+
 /// As much of a text as there is room for.
 void copy(const std::string& text, char* to, std::size_t size) {
     if (to != nullptr && size > 0) {
@@ -60,8 +65,8 @@ void copy(const std::string& text, char* to, std::size_t size) {
     }
 }
 
-int refuse(tiretherm_session* session, int result, const char* reason) {
-    session->message = reason;
+int refuse(tiretherm_session* session, int result, std::string reason) {
+    session->message = std::move(reason);
     return result;
 }
 
@@ -70,20 +75,17 @@ tiretherm_session* open_case(const char* case_file, std::string& message) {
         message = "no case file was named";
         return nullptr;
     }
-    const tiretherm::input::Reading reading = tiretherm::input::read_case(case_file);
+    const tiretherm::input::Reading reading = tiretherm::input::read_case_run(case_file, "");
     if (!reading.problem) {
         message = tiretherm::input::render(reading);
         return nullptr;
     }
-    const tiretherm::solver::Problem& problem = *reading.problem;
+    const auto& [name, corner, problem, laps, parameters] = reading.chosen.front();
     if (const auto defects = tiretherm::solver::defects(problem); !defects.empty()) {
         message = fmt::format("{}: {}", case_file, fmt::join(defects, "; "));
         return nullptr;
     }
-    tiretherm::physics::Inputs start =
-        problem.input_signals.at(problem.settings.start, tiretherm::solver::JumpSide::after);
-    start.time = 0.0;
-    return new tiretherm_session(problem, start);
+    return new tiretherm_session(tiretherm::solver::session_model(problem, parameters));
 }
 
 }  // namespace
@@ -158,14 +160,8 @@ int tiretherm_set_input(tiretherm_session* session, int input, double value) {
     if (signal == nullptr) {
         return refuse(session, TIRETHERM_BAD_ARGUMENT, "there is no such input; tiretherm_find_input gives its number");
     }
-    if (!(value >= signal->low && value <= signal->high)) {
-        return refuse(session, TIRETHERM_BAD_ARGUMENT,
-                      fmt::format("{} = {} {} is not between {} and {}", signal->name, value, signal->unit, signal->low,
-                                  signal->high)
-                          .c_str());
-    }
-    session->inputs.*signal->member = value;
-    return TIRETHERM_OK;
+    std::string reason = session->session.set_input(*signal, value);
+    return reason.empty() ? TIRETHERM_OK : refuse(session, TIRETHERM_BAD_ARGUMENT, std::move(reason));
 }
 
 int tiretherm_step(tiretherm_session* session, double dt) {
@@ -177,28 +173,92 @@ int tiretherm_step(tiretherm_session* session, double dt) {
         return refuse(session, TIRETHERM_BAD_ARGUMENT, "a step must be positive");
     }
     try {
-        const tiretherm::solver::Status status = session->session.advance(dt, session->inputs);
-        return status.ok() ? TIRETHERM_OK : refuse(session, TIRETHERM_FAILED, status.message.c_str());
+        const tiretherm::solver::Status status = session->session.advance(dt);
+        return status.ok() ? TIRETHERM_OK : refuse(session, TIRETHERM_FAILED, status.message);
     } catch (const std::exception& error) {
         return refuse(session, TIRETHERM_FAILED, error.what());
     }
 }
 
 double tiretherm_output(const tiretherm_session* session, int output) {
-    return output_of(session, output) != nullptr ? session->session.channel(static_cast<std::size_t>(output))
+    return output_of(session, output) != nullptr ? session->session.session().channel(static_cast<std::size_t>(output))
                                                  : std::numeric_limits<double>::quiet_NaN();
 }
 
 double tiretherm_time(const tiretherm_session* session) {
-    return session != nullptr ? session->session.time() : std::numeric_limits<double>::quiet_NaN();
+    return session != nullptr ? session->session.session().time() : std::numeric_limits<double>::quiet_NaN();
 }
 
 size_t tiretherm_temperature_count(const tiretherm_session* session) {
-    return session != nullptr ? session->session.temperature().size() : 0;
+    return session != nullptr ? session->session.session().temperature().size() : 0;
 }
 
 const double* tiretherm_temperatures(const tiretherm_session* session) {
-    return session != nullptr ? session->session.temperature().data() : nullptr;
+    return session != nullptr ? session->session.session().temperature().data() : nullptr;
+}
+
+int tiretherm_parameter_count(const tiretherm_session* session) {
+    return session != nullptr ? static_cast<int>(session->session.model().parameters.size()) : 0;
+}
+
+const char* tiretherm_parameter_name(const tiretherm_session* session, int parameter) {
+    const auto* found = parameter_of(session, parameter);
+    return found != nullptr ? found->name.c_str() : nullptr;
+}
+
+const char* tiretherm_parameter_unit(const tiretherm_session* session, int parameter) {
+    const auto* found = parameter_of(session, parameter);
+    return found != nullptr ? found->unit.c_str() : nullptr;
+}
+
+double tiretherm_parameter(const tiretherm_session* session, int parameter) {
+    return parameter_of(session, parameter) != nullptr ? session->session.parameter(static_cast<std::size_t>(parameter))
+                                                       : std::numeric_limits<double>::quiet_NaN();
+}
+
+int tiretherm_set_parameter(tiretherm_session* session, int parameter, double value) {
+    if (session == nullptr) {
+        return TIRETHERM_BAD_ARGUMENT;
+    }
+    session->message.clear();
+    if (parameter_of(session, parameter) == nullptr) {
+        return refuse(session, TIRETHERM_BAD_ARGUMENT, "there is no such parameter");
+    }
+    try {
+        std::string reason = session->session.set_parameter(static_cast<std::size_t>(parameter), value);
+        if (!reason.empty()) {
+            return refuse(session, TIRETHERM_BAD_ARGUMENT, std::move(reason));
+        }
+        session->session.apply_parameters();
+        return TIRETHERM_OK;
+    } catch (const std::exception& error) {
+        return refuse(session, TIRETHERM_FAILED, error.what());
+    }
+}
+
+size_t tiretherm_state(tiretherm_session* session, double* state, size_t size) {
+    if (session == nullptr) {
+        return 0;
+    }
+    const std::vector<double> now = session->session.state();
+    if (state != nullptr && size >= now.size()) {
+        std::ranges::copy(now, state);
+    }
+    return now.size();
+}
+
+int tiretherm_restore(tiretherm_session* session, const double* state, size_t size) {
+    if (session == nullptr) {
+        return TIRETHERM_BAD_ARGUMENT;
+    }
+    session->message.clear();
+    try {
+        return state != nullptr && session->session.restore({state, size})
+                   ? TIRETHERM_OK
+                   : refuse(session, TIRETHERM_BAD_ARGUMENT, "this is no state of the session's case");
+    } catch (const std::exception& error) {
+        return refuse(session, TIRETHERM_FAILED, error.what());
+    }
 }
 
 const char* tiretherm_message(const tiretherm_session* session) {

@@ -91,7 +91,29 @@ size_t tiretherm_temperature_count(const tiretherm_session *session);
  * @returns [tiretherm_temperature_count] K, valid until the next step or the end of the session */
 const double *tiretherm_temperatures(const tiretherm_session *session);
 
-/** Why the last call of tiretherm_set_input or tiretherm_step did not return TIRETHERM_OK; empty when it did. */
+/** Number of parameters of a session: the numbers of the [[parameter]] tables of its case. */
+int tiretherm_parameter_count(const tiretherm_session *session);
+/** Name of a parameter, "air_convection.lambda_h"; NULL when there is no such parameter. @param parameter from 0 */
+const char *tiretherm_parameter_name(const tiretherm_session *session, int parameter);
+/** Unit of a parameter, "W m-2 K-1"; NULL when there is no such parameter. */
+const char *tiretherm_parameter_unit(const tiretherm_session *session, int parameter);
+/** A parameter now. @returns in its unit; NaN when there is no such parameter */
+double tiretherm_parameter(const tiretherm_session *session, int parameter);
+/** Moves a parameter; the session goes on from its present temperatures, before its first step from its beginning. An initial
+ * temperature makes a difference only then. Allocates.
+ * @param value in its unit, within the bounds of the [[parameter]]
+ * @returns TIRETHERM_BAD_ARGUMENT for an unknown parameter, and for a value that is no number or out of bounds */
+int tiretherm_set_parameter(tiretherm_session *session, int parameter, double value);
+
+/** The state of a session, with its inputs and parameters, as numbers: what is restored goes on with the same digits.
+ * @param state [size] out; may be NULL  @param size nothing is written when it is smaller than what is returned
+ * @returns how many numbers a state is; it changes from step to step */
+size_t tiretherm_state(tiretherm_session *session, double *state, size_t size);
+/** Takes a state up again, of this session or of another of the same case.
+ * @returns TIRETHERM_BAD_ARGUMENT when it is none of this case; nothing has changed then */
+int tiretherm_restore(tiretherm_session *session, const double *state, size_t size);
+
+/** Why the last call that returns a tiretherm_result did not return TIRETHERM_OK; empty when it did. */
 const char *tiretherm_message(const tiretherm_session *session);
 
 #ifdef __cplusplus

@@ -4,6 +4,7 @@
 #include "input/runs/reader.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -63,6 +64,9 @@ std::vector<RunOfCase> choose(Runs& runs, const std::string& name, bool is_named
                               .corner = run.corner,
                               .problem = std::move(run.problem),
                               .laps = run.laps});
+            const std::size_t index = static_cast<std::size_t>(&run - all.data());
+            std::ranges::copy_if(runs.experiment.parameters, std::back_inserter(chosen.back().parameters),
+                                 [&](const solver::FreeParameter& number) { return number.belongs_to(index); });
             take_away_cameras(chosen.back().problem);
         }
     }

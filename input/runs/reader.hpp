@@ -21,7 +21,8 @@ struct RunOfCase {
     std::string name{};    ///< empty: the case has neither [[run]] nor [[corner]]
     std::string corner{};  ///< FL, FR, RL or RR; empty: the case has no [[corner]]
     solver::Problem problem;
-    std::vector<Lap> laps{};  ///< of its log
+    std::vector<Lap> laps{};                          ///< of its log
+    std::vector<solver::FreeParameter> parameters{};  ///< of [[parameter]], those that this run follows
 };
 
 /// A case that has been read. There is a problem exactly when there is no error.

@@ -57,6 +57,11 @@ public:
         double* value = static_cast<double*>(matrix_->x);
         std::fill(value, value + count, 0.0);
         analysis_ = cholmod_analyze(matrix_, &common_);
+        if (analysis_ == nullptr &&
+            common_.status == CHOLMOD_NOT_INSTALLED) {  // a CHOLMOD without blocks, as in an FMU
+            common_.supernodal = CHOLMOD_SIMPLICIAL;
+            analysis_ = cholmod_analyze(matrix_, &common_);
+        }
         if (analysis_ == nullptr) {
             throw std::runtime_error("CHOLMOD could not analyse the matrix: " + status());
         }

@@ -4,6 +4,7 @@
 
 #include "solver/time_integration/session.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -60,6 +61,44 @@ Status Session::advance(double dt, const physics::Inputs& inputs) {
         inputs_ = at_end;
     }
     return std::move(attempt.status);
+}
+
+void Session::visit(Archive& archive) {
+    archive(*stepper_);
+    archive(*sensor_outputs_);
+    archive(inputs_);
+    archive(channels_);
+}
+
+std::vector<double> Session::state() {
+    std::vector<double> numbers;
+    Archive archive = Archive::writing(numbers);
+    visit(archive);
+    return numbers;
+}
+
+bool Session::restore(std::span<const double> state) {
+    const std::vector<double> before = this->state();
+    Archive archive = Archive::reading(state);
+    visit(archive);
+    if (!archive.complete()) {
+        Archive back = Archive::reading(before);
+        visit(back);
+        return false;
+    }
+    return true;
+}
+
+void Session::exchange(Problem problem) {
+    const std::vector<double> now = state();
+    Session other(std::move(problem), inputs_);
+    Archive archive = Archive::reading(now);
+    other.visit(archive);
+    assert(archive.complete());
+    other.stepper_->forget_end();
+    other.stepper_->find_watts(inputs_);
+    other.sensor_outputs_->at(other.time(), inputs_, other.channels_);
+    *this = std::move(other);
 }
 
 double Session::time() const { return stepper_->time(); }

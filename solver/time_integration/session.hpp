@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Real-time interface: the caller gives a step and the inputs at its end and reads temperatures. Bounded work, no lock,
-// no file.
+// no file. Its state can be kept and taken up again.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,7 @@
 
 namespace tiretherm::solver {
 
+class Archive;
 class SensorOutputs;
 class Stepper;
 
@@ -33,6 +34,14 @@ public:
     /// @errors as `run`; the state is then left as it was before the call
     [[nodiscard]] Status advance(double dt, const physics::Inputs& inputs);
 
+    /// The state as numbers, from which this session, or another of the same problem, goes on with the same digits.
+    [[nodiscard]] std::vector<double> state();
+    /// Takes a state up again. @returns false for what is no state of this problem; nothing has changed then
+    [[nodiscard]] bool restore(std::span<const double> state);
+    /// Goes on from the present temperatures with other numbers in the problem, such as a film or a conductivity. May allocate.
+    /// @param problem of the same mesh, effects and channels; its initial temperatures are not used
+    void exchange(Problem problem);
+
     [[nodiscard]] double time() const;                          ///< s since the beginning
     [[nodiscard]] std::span<const double> temperature() const;  ///< [n_nodes] K
     [[nodiscard]] double channel(std::size_t index) const;      ///< SI
@@ -40,6 +49,8 @@ public:
     [[nodiscard]] double energy_closure() const;                ///< as in Report
 
 private:
+    void visit(Archive& archive);
+
     std::unique_ptr<Problem> problem_;
     std::unique_ptr<Stepper> stepper_;
     std::unique_ptr<SensorOutputs> sensor_outputs_;

@@ -54,6 +54,9 @@ public:
     /// Largest rate of change at the present state under the inputs just after `time()`. @returns K/s
     [[nodiscard]] double steepest_rate();
 
+    /// What the laws gave at the end of the last step no longer holds: another problem goes on from there.
+    void forget_end() { now_.end_is_known = false; }
+
     /// Writes or reads the state. The next step starts with a new factor either way, so that both ways go on alike.
     void visit(Archive& archive);
 

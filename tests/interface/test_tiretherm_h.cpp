@@ -2,12 +2,11 @@
 // The C interface: the numbers of the C++ session, errors as numbers and messages, no allocation in a step.
 
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -15,21 +14,8 @@
 #include "interface/tiretherm.h"
 #include "post/report/file.hpp"
 #include "solver/time_integration/session.hpp"
+#include "tests/interface/allocations.hpp"
 #include "tests/post/scratch.hpp"
-
-// Counts every allocation of this executable, those of C libraries too. The sanitizers bring their own allocator.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-namespace {
-std::atomic<long> allocations{0};
-}
-extern "C" {
-void* __libc_malloc(std::size_t size);  // NOLINT: the name is glibc's
-void* malloc(std::size_t size) {
-    ++allocations;
-    return __libc_malloc(size);
-}
-}
-#endif
 
 namespace tiretherm {
 namespace {
@@ -130,7 +116,85 @@ TEST(TirethermH, NoSessionIsAnErrorAndNoCrash) {
     EXPECT_STRNE(tiretherm_version(), "");
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(TirethermH, AStateGoesOnWithTheSameDigitsInThisSessionAndInAnother) {
+    const Tire tire = open(two_node);
+    const int speed = tiretherm_find_input("speed");
+    const auto drive = [&](tiretherm_session* session) {
+        std::vector<double> all;
+        for (int i = 0; i < 50; ++i) {
+            EXPECT_EQ(tiretherm_set_input(session, speed, 30.0 + std::sin(0.1 * i)), TIRETHERM_OK);
+            EXPECT_EQ(tiretherm_step(session, i % 3 == 0 ? 0.4 : 0.1), TIRETHERM_OK);
+            all.push_back(tiretherm_output(session, 0));
+        }
+        return all;
+    };
+    drive(tire.get());
+    std::vector<double> state(tiretherm_state(tire.get(), nullptr, 0));
+    ASSERT_EQ(tiretherm_state(tire.get(), state.data(), state.size()), state.size());
+    const double time = tiretherm_time(tire.get());
+    const std::vector<double> on = drive(tire.get());
+    ASSERT_EQ(tiretherm_restore(tire.get(), state.data(), state.size()), TIRETHERM_OK);
+    EXPECT_EQ(tiretherm_time(tire.get()), time);
+    EXPECT_EQ(drive(tire.get()), on);
+    const Tire other = open(two_node);
+    ASSERT_EQ(tiretherm_restore(other.get(), state.data(), state.size()), TIRETHERM_OK);
+    EXPECT_EQ(drive(other.get()), on);
+}
+
+TEST(TirethermH, RefusesWhatIsNoStateAndStaysAsItWas) {
+    const Tire tire = open(two_node);
+    ASSERT_EQ(tiretherm_step(tire.get(), 1.0), TIRETHERM_OK);
+    std::vector<double> state(tiretherm_state(tire.get(), nullptr, 0));
+    EXPECT_EQ(tiretherm_state(tire.get(), state.data(), 3), state.size());
+    ASSERT_EQ(tiretherm_state(tire.get(), state.data(), state.size()), state.size());
+    const double before = tiretherm_output(tire.get(), 0);
+    for (const std::size_t wrong : {std::size_t{0}, std::size_t{5}, state.size() - 1}) {
+        EXPECT_EQ(tiretherm_restore(tire.get(), state.data(), wrong), TIRETHERM_BAD_ARGUMENT);
+        EXPECT_STREQ(tiretherm_message(tire.get()), "this is no state of the session's case");
+        EXPECT_EQ(tiretherm_output(tire.get(), 0), before);
+    }
+    EXPECT_EQ(tiretherm_restore(tire.get(), nullptr, 3), TIRETHERM_BAD_ARGUMENT);
+    EXPECT_EQ(tiretherm_restore(nullptr, state.data(), state.size()), TIRETHERM_BAD_ARGUMENT);
+    EXPECT_EQ(tiretherm_state(nullptr, nullptr, 0), 0u);
+}
+
+TEST(TirethermH, AParameterThatIsSetBeforeTheFirstStepIsThatOfTheCase) {
+    // The case with the number and the case whose session is given it are the same run.
+    const sample::Scratch scratch;
+    const auto write = [&](const std::string& name, const std::string& lambda) {
+        post::replace_file(scratch / name,
+                           "include = \"" + two_node + "\"\n[effects.air_convection]\nlambda_h = " + lambda +
+                               "\n[[parameter]]\neffect = \"air_convection\"\n" + "key = \"lambda_h\"\n");
+        return (scratch / name).string();
+    };
+    const Tire given = open(write("given.toml", "1.4"));
+    const Tire moved = open(write("moved.toml", "1.0"));
+    ASSERT_EQ(tiretherm_parameter_count(moved.get()), 1);
+    EXPECT_STREQ(tiretherm_parameter_name(moved.get(), 0), "air_convection.lambda_h");
+    EXPECT_STREQ(tiretherm_parameter_unit(moved.get(), 0), "1");
+    EXPECT_EQ(tiretherm_parameter(moved.get(), 0), 1.0);
+    ASSERT_EQ(tiretherm_set_parameter(moved.get(), 0, 1.4), TIRETHERM_OK);
+    for (int i = 0; i < 20; ++i) {
+        ASSERT_EQ(tiretherm_step(given.get(), 0.5), TIRETHERM_OK);
+        ASSERT_EQ(tiretherm_step(moved.get(), 0.5), TIRETHERM_OK);
+    }
+    EXPECT_EQ(tiretherm_output(moved.get(), 0), tiretherm_output(given.get(), 0));
+    // Later it acts from there: temperatures stay, and it is warmer with less convection.
+    const double now = tiretherm_output(moved.get(), 0);
+    ASSERT_EQ(tiretherm_set_parameter(moved.get(), 0, 1.0), TIRETHERM_OK);
+    EXPECT_EQ(tiretherm_output(moved.get(), 0), now);
+    EXPECT_EQ(tiretherm_set_parameter(moved.get(), 0, -1e9), TIRETHERM_BAD_ARGUMENT);
+    EXPECT_NE(std::string(tiretherm_message(moved.get())).find("air_convection.lambda_h"), std::string::npos);
+    EXPECT_EQ(tiretherm_set_parameter(moved.get(), 1, 1.0), TIRETHERM_BAD_ARGUMENT);
+    EXPECT_EQ(tiretherm_parameter(moved.get(), 0), 1.0);
+    for (int i = 0; i < 20; ++i) {
+        ASSERT_EQ(tiretherm_step(given.get(), 0.5), TIRETHERM_OK);
+        ASSERT_EQ(tiretherm_step(moved.get(), 0.5), TIRETHERM_OK);
+    }
+    EXPECT_GT(tiretherm_output(moved.get(), 0), tiretherm_output(given.get(), 0));
+}
+
+#ifdef TIRETHERM_COUNTS_ALLOCATIONS
 TEST(TirethermH, AllocatesNothingInAStep) {
     for (const char* file : {"/cases/two_node/4000N_100kmh.toml", "/cases/layers/two_conductivities.toml"}) {
         const Tire tire = open(std::string(TIRETHERM_SOURCE_DIR) + file);
@@ -142,9 +206,9 @@ TEST(TirethermH, AllocatesNothingInAStep) {
             }
         };
         drive(0, 20);
-        const long before = allocations;
+        const long before = sample::allocations;
         drive(20, 2020);
-        EXPECT_EQ(allocations - before, 0) << file;
+        EXPECT_EQ(sample::allocations - before, 0) << file;
     }
 }
 #endif

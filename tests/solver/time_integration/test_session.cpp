@@ -4,10 +4,13 @@
 
 #include "solver/time_integration/session.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -93,6 +96,68 @@ TEST(Session, LeavesTheStateUntouchedWhenAStepIsRefused) {
     EXPECT_EQ(session.channel(1), before);
     EXPECT_EQ(session.time(), 1.0);
     EXPECT_TRUE(session.advance(1.0, inputs_at(2.0)).ok());
+}
+
+TEST(Session, AStateGoesOnWithTheSameDigits) {
+    // Also with steps of several lengths, whose factors are part of it; in a new session, and in one that was elsewhere.
+    for (const Problem& problem : {two_node_tire(), heated_strip(100)}) {
+        const auto step = [](Session& session, int i) {
+            return session.advance(i % 4 == 0 ? 0.5 : i % 4 == 1 ? 0.11 : 1.0, inputs_at(0.3 * i)).ok();
+        };
+        Session session(problem, inputs_at(0.0));
+        for (int i = 0; i < 23; ++i) {
+            ASSERT_TRUE(step(session, i));
+        }
+        const std::vector<double> state = session.state();
+        EXPECT_EQ(session.state(), state) << "to keep it changes nothing";
+        Session other(problem, inputs_at(7.0));
+        ASSERT_TRUE(other.restore(state));
+        EXPECT_EQ(other.channel(0), session.channel(0));
+        EXPECT_EQ(other.time(), session.time());
+        std::vector<double> straight_on;
+        for (int i = 23; i < 60; ++i) {
+            ASSERT_TRUE(step(session, i));
+            ASSERT_TRUE(step(other, i));
+            straight_on.push_back(session.channel(0));
+            ASSERT_EQ(other.channel(0), session.channel(0)) << problem.mesh.kind << " step " << i;
+        }
+        ASSERT_TRUE(session.restore(state));
+        for (int i = 23; i < 60; ++i) {
+            ASSERT_TRUE(step(session, i));
+            ASSERT_EQ(session.channel(0), straight_on[static_cast<std::size_t>(i - 23)]);
+        }
+        const double before = session.channel(0);
+        EXPECT_FALSE(session.restore(std::span(state).first(state.size() - 1)));
+        EXPECT_FALSE(session.restore({}));
+        EXPECT_EQ(session.channel(0), before);
+    }
+}
+
+TEST(Session, GoesOnWithOtherNumbersFromItsTemperatures) {
+    // At once nothing has moved; a second session that has had them all along comes to the same steady state.
+    Problem problem = two_node_tire();
+    Problem warmer = problem;
+    for (physics::ActiveEffect& active : warmer.effects) {
+        if (active.effect->id == "air_convection") {
+            active.parameters[0] *= 0.5;
+        }
+    }
+    Session moved(problem, inputs_at(0.0));
+    Session always(warmer, inputs_at(0.0));
+    for (int i = 0; i < 20; ++i) {
+        ASSERT_TRUE(moved.advance(1.0, inputs_at(0.0)).ok());
+        ASSERT_TRUE(always.advance(1.0, inputs_at(0.0)).ok());
+    }
+    const std::vector<double> before(moved.temperature().begin(), moved.temperature().end());
+    moved.exchange(warmer);
+    EXPECT_TRUE(std::ranges::equal(moved.temperature(), before));
+    EXPECT_EQ(moved.time(), 20.0);
+    EXPECT_LT(moved.channel(1), always.channel(1) - 1e-3);
+    for (int i = 0; i < 400; ++i) {
+        ASSERT_TRUE(moved.advance(100.0, inputs_at(0.0)).ok());
+        ASSERT_TRUE(always.advance(100.0, inputs_at(0.0)).ok());
+    }
+    EXPECT_NEAR(moved.channel(1), always.channel(1), 0.05 * problem.settings.tolerance);
 }
 
 #if !defined(__SANITIZE_ADDRESS__)

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Counts every allocation of this executable, those of shared objects and of C libraries too.
+#pragma once
+
+#include <atomic>
+
+// The sanitizers bring their own allocator.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define TIRETHERM_COUNTS_ALLOCATIONS
+#endif
+
+namespace tiretherm::sample {
+
+extern std::atomic<long> allocations;
+
+}  // namespace tiretherm::sample
