@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <ranges>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -31,6 +32,10 @@ public:
     void operator()(Value& value) {
         if constexpr (std::is_same_v<Value, InputSignals> || std::is_same_v<Value, std::shared_ptr<const InputModel>>) {
             return;
+        } else if constexpr (std::is_same_v<Value, std::shared_ptr<const physics::OwnLaw>>) {
+            if (value != nullptr) {
+                throw std::runtime_error("a law of the calling program cannot be stored");
+            }
         } else if constexpr (std::is_same_v<Value, const physics::Effect*>) {
             take_effect(value);
         } else if constexpr (std::is_scalar_v<Value> || std::is_same_v<Value, physics::MagicFormula>) {
