@@ -119,12 +119,13 @@ struct Fmi2 {
           serialise(fmu.find<int(void*, void*, char*, std::size_t)>("fmi2SerializeFMUstate")),
           deserialise(fmu.find<int(void*, const char*, std::size_t, void**)>("fmi2DeSerializeFMUstate")) {}
 
+    static void take(void* into, const char*, int status, const char* category, const char* text, ...) {
+        static_cast<Log*>(into)->push_back({status, category, text});
+    }
     /// As most importers do it. @returns null when it is refused
     void* make(const std::string& name, bool logging = true) {
         callbacks.environment = &log;
-        callbacks.logger = [](void* into, const char*, int status, const char* category, const char* text, ...) {
-            static_cast<Log*>(into)->push_back({status, category, text});
-        };
+        callbacks.logger = take;
         const std::string uri = "file://" + (fmu.folder / "resources").string();
         return instantiate(name.c_str(), 1, fmu.packed.content.token.c_str(), uri.c_str(), &callbacks, 0,
                            logging ? 1 : 0);

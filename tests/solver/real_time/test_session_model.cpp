@@ -39,7 +39,8 @@ SessionModel stored(const Problem& problem, const std::vector<FreeParameter>& pa
 TEST(SessionModel, ComesBackWithAllItsMembers) {
     // The digest goes over all members, which the compiler counts.
     for (const Problem& problem : {two_node_tire(), heated_strip(30)}) {
-        FreeParameter parameter{.name = "lambda", .unit = "1"};
+        FreeParameter parameter;
+        parameter.name = "lambda";
         parameter.companions = {{.parameter = 1, .factor = 2.0}};
         parameter.knots = {300.0, 350.0};
         const SessionModel model = stored(problem, {parameter});
