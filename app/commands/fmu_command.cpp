@@ -15,6 +15,7 @@
 #include "app/failure.hpp"
 #include "app/messages.hpp"
 #include "app/output.hpp"
+#include "calls/doing.hpp"
 #include "input/case_text/case_writer.hpp"
 #include "input/runs/reader.hpp"
 #include "input/text/suggestions.hpp"
@@ -110,10 +111,10 @@ void tell(const post::PackedFmu& packed, const FmuOptions& options, const std::s
 
 int write_fmu(const FmuOptions& options) {
     const input::Reading reading =
-        while_reading(options.case_file, [&] { return input::read_case_run(options.case_file, options.run); });
+        calls::while_reading(options.case_file, [&] { return input::read_case_run(options.case_file, options.run); });
     const input::RunOfCase* run = chosen_run(reading, options);
-    if (run == nullptr || was_stopped(nothing, options.json)) {
-        return run == nullptr ? Exit::input_error : Exit::interrupted;
+    if (run == nullptr) {
+        return Exit::input_error;
     }
     const std::string target =
         !options.target.empty() ? options.target : std::filesystem::path(options.case_file).stem().string() + ".fmu";
