@@ -10,6 +10,7 @@
 #include <pybind11/stl.h>
 
 #include "calls/doing.hpp"
+#include "calls/output.hpp"
 #include "post/page/html_page.hpp"
 #include "post/report/file.hpp"
 #include "python/extension/interruption.hpp"
@@ -109,8 +110,8 @@ int guarded(const std::function<int(calls::Caller&)>& call, Recorder& recorder) 
     } catch (const py::error_already_set&) {
         throw;
     } catch (const solver::Interrupted&) {
-        recorder.refuse("stopped while " + calls::now_done(), "");
-        return calls::Exit::interrupted;
+        recorder.refuse(calls::stop_sentence() + " while " + calls::now_done(), "");
+        return calls::stop_exit();
     } catch (const std::exception& error) {
         const calls::Failure failure = calls::failure_of(error);
         recorder.refuse(failure.sentence, failure.remedy);
