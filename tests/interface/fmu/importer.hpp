@@ -138,11 +138,11 @@ struct Fmi2 {
         }
         return it;
     }
-    double value(void* it, unsigned number) {
+    double value(void* it, unsigned number) const {
         double value = 0.0;
         return get_real(it, &number, 1, &value) == ok ? value : -1.0;
     }
-    int set(void* it, unsigned number, double value) { return set_real(it, &number, 1, &value); }
+    int set(void* it, unsigned number, double value) const { return set_real(it, &number, 1, &value); }
 
     const UnpackedFmu& fmu;
     Callbacks callbacks{};
@@ -190,11 +190,11 @@ struct Fmi3 {
             },
             nullptr);
     }
-    double value(void* it, unsigned number) {
+    double value(void* it, unsigned number) const {
         double value = 0.0;
         return get(it, &number, 1, &value, 1) == ok ? value : -1.0;
     }
-    int set_one(void* it, unsigned number, double value) { return set(it, &number, 1, &value, 1); }
+    int set_one(void* it, unsigned number, double value) const { return set(it, &number, 1, &value, 1); }
     struct Step {
         int status = 0;
         bool event = true;
@@ -202,7 +202,7 @@ struct Fmi3 {
         bool early = true;
         double last = -1.0;
     };
-    Step step(void* it, double point, double size) {
+    Step step(void* it, double point, double size) const {
         Step done;
         done.status = do_step(it, point, size, true, &done.event, &done.terminate, &done.early, &done.last);
         return done;

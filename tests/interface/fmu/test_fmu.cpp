@@ -55,7 +55,7 @@ double load_at(int i) { return i % 7 == 0 ? 0.0 : 4000.0 + 300.0 * std::sin(0.3 
 
 TEST(Fmu, GivesTheNumbersOfTheSessionToTheLastBit) {
     for (const char* name : {"two_node/4000N_100kmh", "layers/two_conductivities", "section/4000N_100kmh",
-                             "section/all_heat_paths", "laser/one_watt"}) {
+                             "section/4000N_100kmh_all_heat_paths", "laser/one_watt"}) {
         const UnpackedFmu fmu(library_case(name), FmiVersion::fmi2);
         Fmi2 fmi(fmu);
         Instances instances(fmi);
