@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # `cpack --preset release`: packages for Debian 12 (tiretherm, libtiretherm-dev, python3-tiretherm) and a tarball that runs from any folder.
 set(CPACK_PACKAGE_VENDOR "the tiretherm authors")
-set(CPACK_PACKAGE_CONTACT "the tiretherm authors <maintainers@users.noreply.github.com>")
+set(CPACK_PACKAGE_CONTACT "the tiretherm authors <maintainers@tiretherm.example>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "temperature field of a rolling tire")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)

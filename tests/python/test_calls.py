@@ -33,6 +33,21 @@ def long_case():
     return case
 
 
+class Beside:
+    """A long run in a thread of its own; what ended it is in `stopped`."""
+
+    def __init__(self):
+        self.stopped = []
+        self.thread = threading.Thread(target=self._work)
+        self.thread.start()
+
+    def _work(self):
+        try:
+            long_case().run()
+        except tt.Stopped as error:
+            self.stopped.append(error)
+
+
 class Measured(unittest.TestCase):
     def test_fit_has_the_programs_data(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -113,36 +128,27 @@ class Interruption(unittest.TestCase):
 
     # A call of another thread is under way all the time: what ended the first call ends neither that nor the next one.
     def test_ctrl_c_ends_the_call_of_the_main_thread_alone(self):
-        stopped = []
-
-        def work():
-            try:
-                long_case().run()
-            except tt.Stopped as error:
-                stopped.append(error)
-
-        thread = threading.Thread(target=work)
-        thread.start()
+        beside = Beside()
         timer = interrupt_after(0.5)
         with self.assertRaises(tt.Interrupted):
             long_case().run()
         timer.join()
         self.assertFalse(tt.Case.from_file(TWO_NODES).run().is_stopped)
-        self.assertTrue(thread.is_alive())
+        self.assertTrue(beside.thread.is_alive())
         tt.stop()
-        thread.join(30)
-        self.assertEqual(len(stopped), 1)
+        beside.thread.join(30)
+        self.assertEqual(len(beside.stopped), 1)
         self.assertFalse(tt.Case.from_file(TWO_NODES).run().is_stopped)
 
     # A limit that has passed before there is an answer: the run beside it goes on.
     def test_time_limit_is_of_one_diagnosis(self):
-        thread = threading.Thread(target=lambda: self.assertRaises(tt.Stopped, long_case().run))
-        thread.start()
+        beside = Beside()
         with self.assertRaisesRegex(tt.SolverError, "time limit"):
             tt.Case.from_file(BENCH).diagnose(PUZZLES, time_limit=1e-3)
-        self.assertTrue(thread.is_alive())
+        self.assertTrue(beside.thread.is_alive())
         tt.stop()
-        thread.join(30)
+        beside.thread.join(30)
+        self.assertEqual(len(beside.stopped), 1)
 
     # What was simulated is kept with the case, from where the same call goes on.
     def test_ctrl_c_keeps_the_simulations_of_a_diagnosis(self):
@@ -155,21 +161,12 @@ class Interruption(unittest.TestCase):
             self.assertTrue((case._folders["diagnose"].path / ".tiretherm/diagnose.simulations").is_file(), raised.exception)
 
     def test_stop_ends_a_run_of_another_thread(self):
-        raised = []
-
-        def work():
-            try:
-                long_case().run()
-            except tt.Stopped as stopped:
-                raised.append(stopped)
-
-        thread = threading.Thread(target=work)
-        thread.start()
+        beside = Beside()
         time.sleep(0.5)
         tt.stop()
-        thread.join(30)
-        self.assertEqual(len(raised), 1)
-        self.assertTrue(raised[0].result.is_stopped)
+        beside.thread.join(30)
+        self.assertEqual(len(beside.stopped), 1)
+        self.assertTrue(beside.stopped[0].result.is_stopped)
 
     def test_threads_give_the_same_numbers_side_by_side(self):
         alone = tt.Case.from_file(TWO_NODES).run()
