@@ -222,4 +222,19 @@ struct Fmi3 {
     int (*do_step)(void*, double, double, bool, bool*, bool*, bool*, double*);
 };
 
+inline const std::string tires = TIRETHERM_SOURCE_DIR "/cases/two_node/4000N_100kmh.toml";
+
+/// Instances that are freed at the end.
+struct Instances {
+    explicit Instances(Fmi2& of) : fmi(of) {}
+    ~Instances() {
+        for (void* it : all) {
+            fmi.free_instance(it);
+        }
+    }
+    void* start(const std::string& name) { return all.emplace_back(fmi.start(name)); }
+    Fmi2& fmi;
+    std::vector<void*> all{};
+};
+
 }  // namespace tiretherm::sample
