@@ -151,11 +151,9 @@ void add_fmu_command(CLI::App& program, int& exit_code) {
     add_out_option(*command, options->target, "The file. Default: the case's name, .fmu, here", "FILE", "-o,--out");
     command->add_flag("--json", options->json, "One JSON object instead of the summary");
     command->footer(
-        "The FMU runs on Linux, x86-64, and needs no other file. Inputs are those that the case's effects read, "
-        "parameters\n"
-        "the numbers of its [[parameter]] tables, outputs its sensors, all in SI units. It begins with the "
-        "temperatures "
-        "of the\n"
+        "The FMU runs on Linux, x86-64, and needs no other file. Inputs are those that\n"
+        "the case's effects read, parameters the numbers of its [[parameter]] tables,\n"
+        "outputs its sensors, all in SI units. It begins with the temperatures of the\n"
         "case; what its logs and schedules say later is not used. Page: docs/fmu.md\n\n"
         "Example:\n"
         "  tiretherm fmu cases/two_node/4000N_100kmh.toml --out tire.fmu");
