@@ -3,14 +3,12 @@
 // there are kept.
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "app/mpi_ranks.hpp"
 #include "app/terminal.hpp"
 #include "calls/calls.hpp"
 #include "diagnosis/study/study_part.hpp"
@@ -19,34 +17,7 @@ namespace tiretherm::app {
 
 namespace {
 
-struct StudyOptions : Told<calls::StudyOptions> {
-    bool mpi = false;
-};
-
-/// Each rank makes a part, in one thread unless another number is asked for; the first puts them together.
-int study_over_ranks(const StudyOptions& options) {
-    const std::optional<MpiRanks> ranks = MpiRanks::join();
-    if (!ranks) {
-        report_error("this program was built without MPI",
-                     "configure it with -DTIRETHERM_MPI=ON, or share the study by --part and --merge", options.json);
-        return Exit::input_error;
-    }
-    StudyOptions mine = options;
-    mine.threads = options.threads == 0 ? 1 : options.threads;
-    if (ranks->size() == 1) {
-        return make(mine, calls::study);
-    }
-    mine.part = diagnosis::StudyPart{.index = ranks->rank() + 1, .count = ranks->size()}.text();
-    mine.quiet = true;
-    mine.json = false;
-    const int worst = ranks->largest(make(mine, calls::study));
-    if (worst != Exit::done && worst != Exit::numerical_failure) {
-        return worst;
-    }
-    StudyOptions all = options;
-    all.merge = true;
-    return ranks->rank() == 0 ? make(all, calls::study) : Exit::done;
-}
+using StudyOptions = Told<calls::StudyOptions>;
 
 }  // namespace
 
@@ -74,11 +45,6 @@ void add_study_command(CLI::App& program, int& exit_code) {
                 },
                 ""));
     command->add_flag("--merge", options->merge, "Put the parts together: the files are those of one call for all runs")
-        ->excludes(part);
-    command
-        ->add_flag("--mpi", options->mpi,
-                   "Share the runs out over the ranks of mpirun and put them together; in a program built with "
-                   "TIRETHERM_MPI")
         ->excludes(part);
     command->add_flag("--fresh", options->fresh, "Make all runs again, also those that are kept");
     command->add_flag("--no-report", options->no_report, "No report.html and no page.txt");
@@ -112,9 +78,7 @@ void add_study_command(CLI::App& program, int& exit_code) {
         "Exit code: 0 done, 1 an error in the call, the study or the case, 2 runs failed, 130 interrupted.\n\n"
         "Example:\n"
         "  tiretherm study cases/studies/speed_and_load_two_node.toml --out out/map");
-    command->callback([options, &exit_code] {
-        exit_code = options->mpi ? study_over_ranks(*options) : make(*options, calls::study);
-    });
+    command->callback([options, &exit_code] { exit_code = make(*options, calls::study); });
 }
 
 }  // namespace tiretherm::app

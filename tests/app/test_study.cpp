@@ -334,9 +334,6 @@ TEST(StudyParts, WhatIsNoPartIsRefused) {
             << refused.err;
     }
     EXPECT_EQ(call("study study.toml --out parts --part 1/2 --merge", scratch.path()).exit_code, 1);
-    const Call ranks = call("study study.toml --out parts --mpi", scratch.path());
-    EXPECT_EQ(ranks.exit_code, 1);
-    EXPECT_NE(ranks.err.find("-DTIRETHERM_MPI=ON"), std::string::npos) << ranks.err;
     EXPECT_FALSE(std::filesystem::exists(scratch / "parts"));
 }
 
