@@ -53,7 +53,6 @@ private:
     std::uint64_t end_ = 0;
     std::uint64_t dropped_ = 0;
     std::vector<Place> records_;
-    std::string buffer_;
 };
 
 /// Seconds between two checkpoints, and before the first: 2, or what TIRETHERM_CHECKPOINT_SECONDS says.

@@ -36,6 +36,8 @@ struct Continuation {
 class Archive {
 public:
     static Archive writing(std::vector<double>& numbers) { return Archive(&numbers, {}); }
+    /// Writes nothing.
+    static Archive counting() { return Archive(nullptr, {}, true); }
     static Archive reading(std::span<const double> numbers) { return Archive(nullptr, numbers); }
 
     /// Lists have the length that they have on both sides.
@@ -49,14 +51,25 @@ public:
         take<true>(value);
     }
 
-    [[nodiscard]] bool is_reading() const { return out_ == nullptr; }
+    /// What is not changed; only in writing and counting.
+    void write(std::span<const double> numbers) {
+        count_ += numbers.size();
+        if (out_ != nullptr) {
+            out_->insert(out_->end(), numbers.begin(), numbers.end());
+        }
+    }
+
+    [[nodiscard]] bool is_reading() const { return out_ == nullptr && !is_counting_; }
+    /// Numbers that were written or counted.
+    [[nodiscard]] std::size_t count() const { return count_; }
     /// Numbers that are left to be read.
     [[nodiscard]] std::size_t left() const { return in_.size() - next_; }
     /// Whether exactly all numbers were read.
     [[nodiscard]] bool complete() const { return !is_short_ && next_ == in_.size(); }
 
 private:
-    Archive(std::vector<double>* out, std::span<const double> in) : out_(out), in_(in) {}
+    Archive(std::vector<double>* out, std::span<const double> in, bool is_counting = false)
+        : out_(out), in_(in), is_counting_(is_counting) {}
 
     template <bool grows, typename Value>
     void take(Value& value) {
@@ -81,8 +94,9 @@ private:
     /// Whole numbers up to 2^53 and truths pass through a double unharmed.
     template <typename Number>
     void take_number(Number& value) {
-        if (out_ != nullptr) {
-            out_->push_back(static_cast<double>(value));
+        if (!is_reading()) {
+            const auto number = static_cast<double>(value);
+            write({&number, 1});
         } else if (next_ < in_.size()) {
             value = static_cast<Number>(in_[next_++]);
         } else {
@@ -93,6 +107,8 @@ private:
     std::vector<double>* out_;
     std::span<const double> in_;
     std::size_t next_ = 0;
+    std::size_t count_ = 0;
+    bool is_counting_ = false;
     bool is_short_ = false;
 };
 

@@ -104,11 +104,16 @@ void KeptFactors::visit(Archive& archive) {
         if (!kept.factor) {
             kept.factor = kept_.front().factor->alike();
         }
-        std::vector<double> values(kept.factor->values().begin(), kept.factor->values().end());
-        archive(values);
         kept.compliance.resize(static_cast<std::size_t>(pattern_->n));
+        if (!archive.is_reading()) {
+            archive.write(kept.factor->values());
+            archive(kept.compliance);
+            continue;
+        }
+        std::vector<double> values(kept.factor->values().size());
+        archive(values);
         archive(kept.compliance);
-        if (archive.is_reading() && !kept.factor->factorise_again(values).empty()) {
+        if (!kept.factor->factorise_again(values).empty()) {
             kept.s = 0.0;
         }
     }

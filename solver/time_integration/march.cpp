@@ -130,10 +130,13 @@ private:
         if (!wanted || (continuation_.due && !continuation_.due())) {
             return;
         }
-        checkpoint_.numbers.clear();
-        Archive archive = Archive::writing(checkpoint_.numbers);
+        Archive counted = Archive::counting();
+        visit(counted);
+        Checkpoint checkpoint;  // of a large mesh, a tenth of its memory: for as long as it is written
+        checkpoint.numbers.reserve(counted.count());
+        Archive archive = Archive::writing(checkpoint.numbers);
         visit(archive);
-        continuation_.keep(checkpoint_);
+        continuation_.keep(checkpoint);
     }
 
     Status march() {
@@ -321,7 +324,7 @@ private:
     Stepper stepper_;
     OutputSampler sampler_;
     MarchReport report_;
-    Checkpoint checkpoint_;
+
     struct State {
         double wanted = 0.0;  ///< s, size of the next step
         int hold = 0;         ///< steps to come that do not grow

@@ -155,6 +155,10 @@ TEST(Archive, TakesAllMembersOfAStruct) {
     Archive writing = Archive::writing(numbers);
     writing(state);
     EXPECT_EQ(numbers.size(), 9U);
+    Archive counting = Archive::counting();
+    counting(state);
+    EXPECT_EQ(counting.count(), 9U);
+    EXPECT_EQ(state, some_state());
     Kinds read{.list = {0.0}, .lists = {{0.0}, {0.0, 0.0}}};
     Archive reading = Archive::reading(numbers);
     reading(read);
