@@ -16,7 +16,7 @@ Mesh build(const TwoNode& description) {
 
     mesh.regions = {{.name = "surface", .mean = {{surface}, {1.0}}}, {.name = "bulk", .mean = {{bulk}, {1.0}}}};
     mesh.links = {{.name = "bulk_to_surface", .length = description.bulk_depth, .region = 1}};
-    mesh.faces = {{.a = surface, .b = bulk, .area = description.area, .axis = Axis::through, .link = 0}};
+    mesh.faces = {{.a = surface, .b = bulk, .area = description.area, .link = 0, .axis = Axis::through}};
     mesh.add_patch_face(mesh.add_patch("outside"), surface, description.area, 0.0, outside, Axis::through);
     mesh.add_patch_face(mesh.add_patch("inside"), bulk, description.area, 0.0, inside, Axis::through);
     mesh.drawing = {

@@ -73,6 +73,7 @@ public:
         const Numbering number(ring_);
         const double share = 1.0 / ring_.sectors;
         add_nodes(number, share);
+        ring_.faces.reserve(at(ring_.sectors) * (section_.faces.size() + at(section_.n_cells)));
         for (int s = 0; s < ring_.sectors; ++s) {
             for (Face face : section_.faces) {
                 face.a = number.node(face.a, s);
@@ -136,6 +137,7 @@ private:
     void add_patches(const Numbering& number, double share) {
         for (const Patch& patch : section_.patches) {
             Patch& all = ring_.patches.emplace_back(Patch{.name = patch.name, .faces = {}});
+            all.faces.reserve(at(ring_.sectors) * patch.faces.size());
             for (int s = 0; s < ring_.sectors; ++s) {
                 for (PatchFace face : patch.faces) {
                     const double r = radius(face.node);
@@ -164,6 +166,9 @@ private:
         const Drawing& flat = section_.drawing;
         const auto n = std::ssize(flat.points);
         ring_.drawing.shape = CellShape::hexahedron;
+        ring_.drawing.points.reserve(at(ring_.sectors) * flat.points.size());
+        ring_.drawing.places.reserve(at(ring_.sectors) * flat.points.size());
+        ring_.drawing.corners.reserve(at(ring_.sectors) * 2 * flat.corners.size());
         for (int border = 0; border < ring_.sectors; ++border) {
             const double where = turn * (border - 0.5) / ring_.sectors;
             for (std::size_t i = 0; i < flat.points.size(); ++i) {

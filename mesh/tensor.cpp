@@ -76,6 +76,8 @@ void add_cells(Mesh& mesh, const Tensor& d, const Metrics& metrics) {
 
 void add_inner_faces(Mesh& mesh, const Tensor& d, const Metrics& metrics) {
     const Grid& g = *mesh.grid;
+    const int sides = 2 * mesh.n_cells / g.size(0) + 2 * mesh.n_cells / g.size(1) + 2 * mesh.n_cells / g.size(2);
+    mesh.faces.reserve(at(3 * mesh.n_cells + sides));
     for (int k = 0; k < g.size(2); ++k) {
         for (int j = 0; j < g.size(1); ++j) {
             for (int i = 0; i < g.size(0); ++i) {
@@ -93,8 +95,8 @@ void add_inner_faces(Mesh& mesh, const Tensor& d, const Metrics& metrics) {
                                           .area = metrics.face(axis, i, j, k, position),
                                           .half_a = metrics.half(axis, index[at(axis)], position),
                                           .half_b = metrics.half(axis, next[at(axis)], position),
-                                          .axis = static_cast<Axis>(axis),
-                                          .link = linked ? 0 : -1});
+                                          .link = linked ? 0 : -1,
+                                          .axis = static_cast<Axis>(axis)});
                 }
             }
         }
