@@ -34,7 +34,7 @@ struct Face {
     double area = 0.0;    ///< m2, > 0
     double half_a = 0.0;  ///< m, >= 0: from node a to the face; 0 for a lump
     double half_b = 0.0;  ///< m, >= 0
-    int link = -1;  ///< index into Mesh::links, or -1
+    int link = -1;        ///< index into Mesh::links, or -1
     Axis axis = Axis::through;
     bool is_coupling = false;  ///< leads to a lumped node: nothing is conducted but what an effect adds
 };
