@@ -140,7 +140,7 @@ void Instance::check_settable(std::uint32_t which) const {
         throw std::invalid_argument(
             fmt::format("variable {} {}", which, which < numbers_.end ? "cannot be set" : "is unknown"));
     }
-    if (which >= numbers_.first_parameter && mode_ == Mode::step &&
+    if (which >= numbers_.first_parameter && mode_ != Mode::instantiated && mode_ != Mode::initialization &&
         session_->model().parameters[which - numbers_.first_parameter].kind == solver::FreeParameter::Kind::initial) {
         throw std::invalid_argument(fmt::format("variable {} is fixed after initialization", which));
     }
@@ -169,6 +169,40 @@ void Instance::set(std::span<const std::uint32_t> which, std::span<const double>
          [this](std::size_t index, double value) { return session_->set_parameter(index, value); });
     if (mode_ == Mode::step) {
         follow_settings();  // a step allocates nothing
+    }
+}
+
+void Instance::derive(std::span<const std::uint32_t> unknowns, std::span<const std::uint32_t> knowns,
+                      std::span<const double> seed, std::span<double> sensitivity) {
+    if (seed.size() != knowns.size() || sensitivity.size() != unknowns.size()) {
+        throw std::invalid_argument(fmt::format("{} seeds of {} knowns, {} places for {} unknowns", seed.size(),
+                                                knowns.size(), sensitivity.size(), unknowns.size()));
+    }
+    for (const std::uint32_t unknown : unknowns) {
+        if (unknown < numbers_.first_output || unknown >= numbers_.end) {
+            throw std::invalid_argument(
+                fmt::format("variable {} is no output, which the unknowns have to be", unknown));
+        }
+    }
+    solver::SessionDirection direction;
+    for (std::size_t i = 0; i < knowns.size(); ++i) {
+        check_settable(knowns[i]);
+        if (!std::isfinite(seed[i])) {
+            throw std::invalid_argument(fmt::format("the seed of variable {} is {}", knowns[i], seed[i]));
+        }
+        if (knowns[i] < numbers_.first_parameter) {
+            direction.inputs.push_back({inputs_[knowns[i] - numbers_.first_input], seed[i]});
+        } else {
+            direction.parameters.push_back({knowns[i] - numbers_.first_parameter, seed[i]});
+        }
+    }
+    follow_settings();
+    std::vector<double> slopes(numbers_.end - numbers_.first_output);
+    if (const solver::Status status = session_->find_slopes(direction, slopes); !status.ok()) {
+        throw Discarded(status.message);
+    }
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        sensitivity[i] = slopes[unknowns[i] - numbers_.first_output];
     }
 }
 
