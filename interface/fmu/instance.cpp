@@ -244,17 +244,20 @@ void Instance::restore(const KeptState& state) {
 
 namespace {
 
-/// The head of a serialised state: the token, then the mode and the times.
+/// The head of a serialised state: the token, then the mode, the times, and how many numbers follow.
 struct Head {
     std::array<char, 32> token{};
     double mode = 0.0;
     std::array<double, 3> times{};
+    std::uint64_t length = 0;
 };
 
 }  // namespace
 
 std::string Instance::serialised(const KeptState& state) const {
-    Head head{.mode = static_cast<double>(state.mode), .times = {state.start_time, state.stop_time, state.point}};
+    Head head{.mode = static_cast<double>(state.mode),
+              .times = {state.start_time, state.stop_time, state.point},
+              .length = state.session.size()};
     std::ranges::copy_n(token_.begin(), static_cast<std::ptrdiff_t>(head.token.size()), head.token.begin());
     std::string bytes(sizeof head + sizeof(double) * state.session.size(), '\0');
     std::memcpy(bytes.data(), &head, sizeof head);
@@ -264,11 +267,13 @@ std::string Instance::serialised(const KeptState& state) const {
 
 KeptState Instance::deserialised(std::string_view bytes) const {
     Head head;
-    if (bytes.size() < sizeof head || (bytes.size() - sizeof head) % sizeof(double) != 0) {
+    if (bytes.size() < sizeof head) {
         throw std::invalid_argument("these bytes are no state");
     }
     std::memcpy(&head, bytes.data(), sizeof head);
-    if (!std::ranges::equal(head.token, token_) || !(head.mode >= 0.0 && head.mode <= 3.0)) {
+    // Older versions of FMPy hand over a zero more than they were given: what comes behind is not looked at.
+    if (!std::ranges::equal(head.token, token_) || !(head.mode >= 0.0 && head.mode <= 3.0) ||
+        head.length > (bytes.size() - sizeof head) / sizeof(double)) {
         throw std::invalid_argument("these bytes are no state of this FMU");
     }
     KeptState state{.mode = static_cast<Mode>(head.mode),
@@ -276,8 +281,8 @@ KeptState Instance::deserialised(std::string_view bytes) const {
                     .stop_time = head.times[1],
                     .point = head.times[2],
                     .session = {}};
-    state.session.resize((bytes.size() - sizeof head) / sizeof(double));
-    std::memcpy(state.session.data(), bytes.data() + sizeof head, bytes.size() - sizeof head);
+    state.session.resize(head.length);
+    std::memcpy(state.session.data(), bytes.data() + sizeof head, sizeof(double) * head.length);
     return state;
 }
 
