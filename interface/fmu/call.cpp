@@ -10,19 +10,27 @@ namespace tiretherm::fmu {
 
 namespace {
 
-const KeptState& state_behind(void* state) {
+/// What an environment holds. Its first word points at itself: a simulator that is in use frees a state by the state in the place of
+/// the address of its pointer, and finds the state there, too.
+struct Handle {
+    Handle* self = this;
+    KeptState state;
+};
+
+Handle& handle_behind(void* state) {
     require(state != nullptr, "there is no state");
-    return *static_cast<const KeptState*>(state);
+    auto& handle = *static_cast<Handle*>(state);
+    require(handle.self == &handle, "this is no state");
+    return handle;
 }
 
 /// Over the state that is there, or as a new one.
 void put(KeptState state, void** into) {
     require(into != nullptr, "there is no place for a state");
-    if (*into != nullptr) {
-        *static_cast<KeptState*>(*into) = std::move(state);
-    } else {
-        *into = std::make_unique<KeptState>(std::move(state)).release();
+    if (*into == nullptr) {
+        *into = std::make_unique<Handle>().release();
     }
+    handle_behind(*into).state = std::move(state);
 }
 
 }  // namespace
@@ -46,13 +54,13 @@ int get_state(void* instance, std::string_view name, void** state) {
 }
 
 int set_state(void* instance, std::string_view name, void* state) {
-    return call(instance, name, any_mode, [&](Instance& it) { it.restore(state_behind(state)); });
+    return call(instance, name, any_mode, [&](Instance& it) { it.restore(handle_behind(state).state); });
 }
 
 int free_state(void* instance, std::string_view name, void** state) {
     return call(instance, name, any_mode, [&](Instance&) {
-        if (state != nullptr) {
-            const std::unique_ptr<KeptState> freed(static_cast<KeptState*>(*state));
+        if (state != nullptr && *state != nullptr) {
+            const std::unique_ptr<Handle> freed(&handle_behind(*state));
             *state = nullptr;
         }
     });
@@ -61,13 +69,13 @@ int free_state(void* instance, std::string_view name, void** state) {
 int serialised_size(void* instance, std::string_view name, void* state, std::size_t* size) {
     return call(instance, name, any_mode, [&](Instance& it) {
         require(size != nullptr, "there is no place for the size");
-        *size = it.serialised(state_behind(state)).size();
+        *size = it.serialised(handle_behind(state).state).size();
     });
 }
 
 int serialise(void* instance, std::string_view name, void* state, char* bytes, std::size_t size) {
     return call(instance, name, any_mode, [&](Instance& it) {
-        const std::string all = it.serialised(state_behind(state));
+        const std::string all = it.serialised(handle_behind(state).state);
         require(bytes != nullptr && size >= all.size(), "there is not enough room for the state");
         std::ranges::copy(all, bytes);
     });

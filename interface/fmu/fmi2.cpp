@@ -154,10 +154,13 @@ int fmi2DeSerializeFMUstate(Component c, const char bytes[], std::size_t size, v
     return fmu::deserialise(c, "fmi2DeSerializeFMUstate", bytes, size, state);
 }
 
-int fmi2GetDirectionalDerivative(Component c, const Reference /*unknown*/[], std::size_t /*n*/,
-                                 const Reference /*known*/[], std::size_t /*m*/, const Real /*seed*/[],
-                                 Real /*result*/[]) {
-    return fmu::unsupported(c, "fmi2GetDirectionalDerivative");
+int fmi2GetDirectionalDerivative(Component c, const Reference unknowns[], std::size_t n, const Reference knowns[],
+                                 std::size_t n_known, const Real seed[], Real sensitivity[]) {
+    return fmu::call(c, "fmi2GetDirectionalDerivative", {Mode::initialization, Mode::step, Mode::terminated},
+                     [&](Instance& it) {
+                         it.derive(fmu::list(unknowns, n), fmu::list(knowns, n_known), fmu::list(seed, n_known),
+                                   fmu::list(sensitivity, n));
+                     });
 }
 int fmi2SetRealInputDerivatives(Component c, const Reference /*which*/[], std::size_t /*n*/, const Integer /*order*/[],
                                 const Real /*values*/[]) {

@@ -122,6 +122,16 @@ int fmi3DeserializeFMUState(Handle i, const std::uint8_t bytes[], std::size_t si
     return fmu::deserialise(i, "fmi3DeserializeFMUState", reinterpret_cast<const char*>(bytes), size, state);
 }
 
+int fmi3GetDirectionalDerivative(Handle i, const Reference unknowns[], std::size_t n, const Reference knowns[],
+                                 std::size_t n_known, const double seed[], std::size_t n_seed, double sensitivity[],
+                                 std::size_t n_sensitivity) {
+    return fmu::call(i, "fmi3GetDirectionalDerivative", {Mode::initialization, Mode::step, Mode::terminated},
+                     [&](Instance& it) {
+                         it.derive(fmu::list(unknowns, n), fmu::list(knowns, n_known), fmu::list(seed, n_seed),
+                                   fmu::list(sensitivity, n_sensitivity));
+                     });
+}
+
 // All variables are of 64 bits: of the other types nothing can be got or set.
 #define TIRETHERM_NO_VARIABLES(type, Value)                                                                          \
     int fmi3Get##type(Handle i, const Reference /*which*/[], std::size_t n, Value /*values*/[], std::size_t) {       \
@@ -158,7 +168,7 @@ Handle fmi3InstantiateScheduledExecution(String, String, String, bool, bool, Env
     return refuse_kind(environment, log);
 }
 
-// Event mode, configuration mode, dependencies of elements, derivatives, clocks, other kinds of FMU.
+// Event mode, configuration mode, dependencies of elements, other derivatives, clocks, other kinds of FMU.
 #define TIRETHERM_UNSUPPORTED(name, ...) \
     int name(Handle i __VA_OPT__(, ) __VA_ARGS__) { return fmu::unsupported(i, #name); }
 using References = const Reference*;
@@ -172,8 +182,6 @@ TIRETHERM_UNSUPPORTED(fmi3EvaluateDiscreteStates)
 TIRETHERM_UNSUPPORTED(fmi3UpdateDiscreteStates, bool*, bool*, bool*, bool*, bool*, Reals)
 TIRETHERM_UNSUPPORTED(fmi3GetNumberOfVariableDependencies, Reference, Count*)
 TIRETHERM_UNSUPPORTED(fmi3GetVariableDependencies, Reference, Count*, Reference*, Count*, int*, Count)
-TIRETHERM_UNSUPPORTED(fmi3GetDirectionalDerivative, References, Count, References, Count, const double*, Count, Reals,
-                      Count)
 TIRETHERM_UNSUPPORTED(fmi3GetAdjointDerivative, References, Count, References, Count, const double*, Count, Reals,
                       Count)
 TIRETHERM_UNSUPPORTED(fmi3GetOutputDerivatives, References, Count, const std::int32_t*, Reals, Count)

@@ -140,7 +140,7 @@ void Instance::check_settable(std::uint32_t which) const {
         throw std::invalid_argument(
             fmt::format("variable {} {}", which, which < numbers_.end ? "cannot be set" : "is unknown"));
     }
-    if (which >= numbers_.first_parameter && mode_ == Mode::step &&
+    if (which >= numbers_.first_parameter && mode_ != Mode::instantiated && mode_ != Mode::initialization &&
         session_->model().parameters[which - numbers_.first_parameter].kind == solver::FreeParameter::Kind::initial) {
         throw std::invalid_argument(fmt::format("variable {} is fixed after initialization", which));
     }
@@ -169,6 +169,40 @@ void Instance::set(std::span<const std::uint32_t> which, std::span<const double>
          [this](std::size_t index, double value) { return session_->set_parameter(index, value); });
     if (mode_ == Mode::step) {
         follow_settings();  // a step allocates nothing
+    }
+}
+
+void Instance::derive(std::span<const std::uint32_t> unknowns, std::span<const std::uint32_t> knowns,
+                      std::span<const double> seed, std::span<double> sensitivity) {
+    if (seed.size() != knowns.size() || sensitivity.size() != unknowns.size()) {
+        throw std::invalid_argument(fmt::format("{} seeds of {} knowns, {} places for {} unknowns", seed.size(),
+                                                knowns.size(), sensitivity.size(), unknowns.size()));
+    }
+    for (const std::uint32_t unknown : unknowns) {
+        if (unknown < numbers_.first_output || unknown >= numbers_.end) {
+            throw std::invalid_argument(
+                fmt::format("variable {} is no output, which the unknowns have to be", unknown));
+        }
+    }
+    solver::SessionDirection direction;
+    for (std::size_t i = 0; i < knowns.size(); ++i) {
+        check_settable(knowns[i]);
+        if (!std::isfinite(seed[i])) {
+            throw std::invalid_argument(fmt::format("the seed of variable {} is {}", knowns[i], seed[i]));
+        }
+        if (knowns[i] < numbers_.first_parameter) {
+            direction.inputs.push_back({inputs_[knowns[i] - numbers_.first_input], seed[i]});
+        } else {
+            direction.parameters.push_back({knowns[i] - numbers_.first_parameter, seed[i]});
+        }
+    }
+    follow_settings();
+    std::vector<double> slopes(numbers_.end - numbers_.first_output);
+    if (const solver::Status status = session_->find_slopes(direction, slopes); !status.ok()) {
+        throw Discarded(status.message);
+    }
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        sensitivity[i] = slopes[unknowns[i] - numbers_.first_output];
     }
 }
 
@@ -210,17 +244,20 @@ void Instance::restore(const KeptState& state) {
 
 namespace {
 
-/// The head of a serialised state: the token, then the mode and the times.
+/// The head of a serialised state: the token, then the mode, the times, and how many numbers follow.
 struct Head {
     std::array<char, 32> token{};
     double mode = 0.0;
     std::array<double, 3> times{};
+    std::uint64_t length = 0;
 };
 
 }  // namespace
 
 std::string Instance::serialised(const KeptState& state) const {
-    Head head{.mode = static_cast<double>(state.mode), .times = {state.start_time, state.stop_time, state.point}};
+    Head head{.mode = static_cast<double>(state.mode),
+              .times = {state.start_time, state.stop_time, state.point},
+              .length = state.session.size()};
     std::ranges::copy_n(token_.begin(), static_cast<std::ptrdiff_t>(head.token.size()), head.token.begin());
     std::string bytes(sizeof head + sizeof(double) * state.session.size(), '\0');
     std::memcpy(bytes.data(), &head, sizeof head);
@@ -230,11 +267,13 @@ std::string Instance::serialised(const KeptState& state) const {
 
 KeptState Instance::deserialised(std::string_view bytes) const {
     Head head;
-    if (bytes.size() < sizeof head || (bytes.size() - sizeof head) % sizeof(double) != 0) {
+    if (bytes.size() < sizeof head) {
         throw std::invalid_argument("these bytes are no state");
     }
     std::memcpy(&head, bytes.data(), sizeof head);
-    if (!std::ranges::equal(head.token, token_) || !(head.mode >= 0.0 && head.mode <= 3.0)) {
+    // Older versions of FMPy hand over a zero more than they were given: what comes behind is not looked at.
+    if (!std::ranges::equal(head.token, token_) || !(head.mode >= 0.0 && head.mode <= 3.0) ||
+        head.length > (bytes.size() - sizeof head) / sizeof(double)) {
         throw std::invalid_argument("these bytes are no state of this FMU");
     }
     KeptState state{.mode = static_cast<Mode>(head.mode),
@@ -242,8 +281,8 @@ KeptState Instance::deserialised(std::string_view bytes) const {
                     .stop_time = head.times[1],
                     .point = head.times[2],
                     .session = {}};
-    state.session.resize((bytes.size() - sizeof head) / sizeof(double));
-    std::memcpy(state.session.data(), bytes.data() + sizeof head, bytes.size() - sizeof head);
+    state.session.resize(head.length);
+    std::memcpy(state.session.data(), bytes.data() + sizeof head, sizeof(double) * head.length);
     return state;
 }
 

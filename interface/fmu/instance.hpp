@@ -86,6 +86,11 @@ public:
     void get(std::span<const std::uint32_t> which, std::span<double> values);
     /// Sets all or none. @errors Discarded for a value out of range, std::invalid_argument for what cannot be set now
     void set(std::span<const std::uint32_t> which, std::span<const double> values);
+    /// Derivatives of outputs in a direction among inputs and parameters, see TunableSession::find_slopes.
+    /// @param seed what each of the knowns moves by  @param sensitivity out, of the unknowns
+    /// @errors std::invalid_argument for what is no unknown, or no known now; Discarded where there is no derivative
+    void derive(std::span<const std::uint32_t> unknowns, std::span<const std::uint32_t> knowns,
+                std::span<const double> seed, std::span<double> sensitivity);
     /// @errors Discarded when the heat balance has no solution: the instance is as it was before
     void step(double point, double size);
     [[nodiscard]] double point() const { return kept_.point; }

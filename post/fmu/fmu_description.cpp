@@ -220,8 +220,8 @@ std::string model_description(const FmuContent& content) {
             attribute("license", "documentation/licenses") + attribute("generationTool", content.program) + ">\n";
     text += fmt::format(
         "  <CoSimulation modelIdentifier=\"{}\" canHandleVariableCommunicationStepSize=\"true\" "
-        "canGetAndSetFMU{}=\"true\" canSerializeFMU{}=\"true\"{}/>\n",
-        content.identifier, state, state, is_2 ? " canNotUseMemoryManagementFunctions=\"true\"" : "");
+        "canGetAndSetFMU{}=\"true\" canSerializeFMU{}=\"true\" providesDirectionalDerivative{}=\"true\"{}/>\n",
+        content.identifier, state, state, is_2 ? "" : "s", is_2 ? " canNotUseMemoryManagementFunctions=\"true\"" : "");
     text += units_of(content);
     text += categories;
     text += fmt::format("  <DefaultExperiment startTime=\"0\" stopTime=\"{}\" stepSize=\"{}\"/>\n", content.end,

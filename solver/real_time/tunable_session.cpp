@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -78,6 +80,71 @@ void TunableSession::begin(const physics::Inputs& start) {
     start_ = inputs_ = start;
     start_.time = inputs_.time = 0.0;
     session_ = Session(moved(values_), start_);
+}
+
+/// How far to go for a difference quotient: little beside any of what moves.
+double TunableSession::reach(const SessionDirection& direction) const {
+    double shift = std::numeric_limits<double>::infinity();
+    for (const auto& [signal, rate] : direction.inputs) {
+        // The range of the wheel's angle says nothing of what is small.
+        const double range = signal->unit == "radian" ? 1.0 : signal->high - signal->low;
+        shift = std::min(shift, 1e-5 * range / std::abs(rate));
+    }
+    for (const auto& [index, rate] : direction.parameters) {
+        shift = std::min(shift, typical_step(model_.parameters[index], values_[index]) / std::abs(rate));
+    }
+    return shift;
+}
+
+/// What lies in the direction; where something would leave its range, what there is.
+StepNeighbour TunableSession::neighbour(const SessionDirection& direction, const physics::Inputs& inputs,
+                                        double shift) const {
+    std::vector<double> values = values_;
+    physics::Inputs to = inputs;
+    bool allowed = true;
+    for (const auto& [signal, rate] : direction.inputs) {
+        to.*signal->member += shift * rate;
+        allowed = allowed && refusal(*signal, to.*signal->member).empty();
+    }
+    for (const auto& [index, rate] : direction.parameters) {
+        values[index] += shift * rate;
+        allowed = allowed && refusal(index, values[index]).empty();
+    }
+    if (!allowed) {
+        return {.problem = moved(values_), .to = inputs, .shift = 0.0};
+    }
+    return {.problem = moved(values), .to = to, .shift = shift};
+}
+
+Status TunableSession::find_slopes(const SessionDirection& direction, std::span<double> slope) const {
+    std::ranges::fill(slope, 0.0);
+    SessionDirection moving;
+    const auto moves = [](const auto& one) { return one.rate != 0.0; };
+    std::ranges::copy_if(direction.inputs, std::back_inserter(moving.inputs), moves);
+    std::ranges::copy_if(direction.parameters, std::back_inserter(moving.parameters), moves);
+    if (moving.inputs.empty() && moving.parameters.empty()) {
+        return {};
+    }
+    const std::optional<LastStep> step = session_.last_step();
+    if (!step && session_.time() > 0.0) {
+        return {Outcome::stopped, "the last step is not known: a state was restored or a parameter set since"};
+    }
+    const physics::Inputs& inputs = step ? step->inputs.back() : start_;
+    const double far = reach(moving);
+    const StepNeighbour above = neighbour(moving, inputs, far);
+    const StepNeighbour below = neighbour(moving, inputs, -far);
+    if (!(above.shift > below.shift)) {
+        return {Outcome::stopped, "there is no room to either side within the ranges"};
+    }
+    if (step) {
+        return find_step_slopes(*step, above, below, slope);
+    }
+    const Session high(above.problem, above.to);
+    const Session low(below.problem, below.to);
+    for (std::size_t c = 0; c < slope.size(); ++c) {
+        slope[c] = (high.channel(c) - low.channel(c)) / (above.shift - below.shift);
+    }
+    return {};
 }
 
 std::vector<double> TunableSession::state() {

@@ -7,9 +7,24 @@
 #include <vector>
 
 #include "solver/real_time/session_model.hpp"
+#include "solver/real_time/step_slopes.hpp"
 #include "solver/time_integration/session.hpp"
 
 namespace tiretherm::solver {
+
+/// A direction among the inputs and parameters of a session: what each moves by, in its unit, for a unit of the direction.
+struct SessionDirection {
+    struct Input {
+        const physics::Signal* signal;
+        double rate;
+    };
+    struct Parameter {
+        std::size_t index;
+        double rate;
+    };
+    std::vector<Input> inputs;
+    std::vector<Parameter> parameters;
+};
 
 /// A session that keeps its inputs between steps and the values of its parameters.
 class TunableSession {
@@ -39,6 +54,12 @@ public:
     /// As Session::advance, with the inputs that were set.
     [[nodiscard]] Status advance(double dt) { return session_.advance(dt, inputs_); }
 
+    /// Derivatives of the channels in a direction: of what the last step led to, with the inputs at its end and the parameters over
+    /// it, from the same state; before the first step of what the session begins with. Changes nothing. Allocates.
+    /// @param slope out, [n_channels] SI for a unit of the direction
+    /// @returns not done where a step was taken, but a state was restored or a parameter applied since
+    [[nodiscard]] Status find_slopes(const SessionDirection& direction, std::span<double> slope) const;
+
     /// Inputs, parameters and the state of the session as numbers.
     [[nodiscard]] std::vector<double> state();
     /// Goes on from a state with the same digits. @returns false for what is no state of this model; nothing has changed then
@@ -46,6 +67,9 @@ public:
 
 private:
     [[nodiscard]] Problem moved(const std::vector<double>& values) const;
+    [[nodiscard]] double reach(const SessionDirection& direction) const;
+    [[nodiscard]] StepNeighbour neighbour(const SessionDirection& direction, const physics::Inputs& inputs,
+                                          double shift) const;
 
     SessionModel model_;
     std::vector<double> base_;    ///< the parameters in the model

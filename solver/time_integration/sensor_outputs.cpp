@@ -126,31 +126,48 @@ void SensorOutputs::begin(double t, std::span<const double> T, std::span<const d
     }
 }
 
-void SensorOutputs::take_step(std::span<const StepMoment> stages, std::span<const physics::Inputs> inputs) {
+/// What a channel does over a step. @param lagged what a lagging sensor gave at its begin
+SensorOutputs::Piece SensorOutputs::piece_over(std::size_t channel, std::span<const StepMoment> stages,
+                                               std::span<const physics::Inputs> inputs, double lagged) const {
     const std::size_t n = stages.size();
     std::array<double, 3> u{};
     std::array<double, 3> v{};
     const double begin = stages.front().time;
+    for (std::size_t i = 0; i < n; ++i) {
+        const StepMoment& stage = stages[i];
+        u[i] = stage.time - begin;
+        v[i] = followed_quantity(channel, stage.temperature, stage.watts);
+        for (const AppliedModel& model : chains_[channel].before) {
+            v[i] = model.read(*model.active, model.position, v[i], inputs[i]);
+        }
+    }
+    const Parabola p = through({u.data(), n}, {v.data(), n});
+    return {.begin = begin, .end = stages.back().time, .a = p.a, .b = p.b, .c = p.c, .lagged = lagged};
+}
+
+void SensorOutputs::take_step(std::span<const StepMoment> stages, std::span<const physics::Inputs> inputs) {
+    const double begin = stages.front().time;
     const double end = stages.back().time;
     for (std::size_t c = 0; c < chains_.size(); ++c) {
         Chain& chain = chains_[c];
-        const double lagged = followed(chain, chain.past.back(), begin);
-        for (std::size_t i = 0; i < n; ++i) {
-            const StepMoment& stage = stages[i];
-            u[i] = stage.time - begin;
-            v[i] = followed_quantity(c, stage.temperature, stage.watts);
-            for (const AppliedModel& model : chain.before) {
-                v[i] = model.read(*model.active, model.position, v[i], inputs[i]);
-            }
-        }
-        const Parabola p = through({u.data(), n}, {v.data(), n});
+        const Piece piece = piece_over(c, stages, inputs, followed(chain, chain.past.back(), begin));
         // Only as much of the past is kept as the delay looks back.
         const double oldest = std::min(begin, chain.moment(begin));
-        std::erase_if(chain.past, [&](const Piece& piece) { return piece.end < oldest; });
+        std::erase_if(chain.past, [&](const Piece& candidate) { return candidate.end < oldest; });
         if (chain.moment(begin) >= begin && chain.moment(end) >= end) {
             chain.past.clear();
         }
-        chain.past.push_back({.begin = begin, .end = end, .a = p.a, .b = p.b, .c = p.c, .lagged = lagged});
+        chain.past.push_back(piece);
+    }
+}
+
+void SensorOutputs::retake_step(const SensorOutputs& as, std::span<const StepMoment> stages,
+                                std::span<const physics::Inputs> inputs) {
+    gas_start_ = as.gas_start_;
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+        std::vector<Piece>& past = chains_[c].past;
+        past = as.chains_[c].past;
+        past.back() = piece_over(c, stages, inputs, past.back().lagged);
     }
 }
 

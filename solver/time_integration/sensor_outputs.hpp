@@ -24,6 +24,10 @@ public:
     void begin(double t, std::span<const double> T, std::span<const double> watts, const physics::Inputs& inputs);
     /// After an accepted step. @param stages its begin and its end among them  @param inputs logged ones at its stages
     void take_step(std::span<const StepMoment> stages, std::span<const physics::Inputs> inputs);
+    /// The last step as it would have been through other stages.
+    /// @param as with the same channels, of a neighbouring problem, after the step
+    void retake_step(const SensorOutputs& as, std::span<const StepMoment> stages,
+                     std::span<const physics::Inputs> inputs);
     /// A moment of the last step, or the start. @param t s  @param logged inputs of that moment
     /// @param out [n_channels] SI
     void at(double t, const physics::Inputs& logged, std::span<double> out) const;
@@ -77,6 +81,8 @@ private:
         [[nodiscard]] double moment(double t) const { return t - delay - rate * t; }
     };
 
+    [[nodiscard]] Piece piece_over(std::size_t channel, std::span<const StepMoment> stages,
+                                   std::span<const physics::Inputs> inputs, double lagged) const;
     [[nodiscard]] double followed_quantity(std::size_t channel, std::span<const double> T,
                                            std::span<const double> watts) const;
     [[nodiscard]] double quantity(std::size_t channel, double t, double followed, const physics::Inputs& logged) const;

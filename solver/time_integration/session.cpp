@@ -59,6 +59,8 @@ Status Session::advance(double dt, const physics::Inputs& inputs) {
         sensor_outputs_->take_step(stepper_->stages(), stage_inputs_);
         sensor_outputs_->at(stepper_->time(), at_end, channels_);
         inputs_ = at_end;
+        stage_inputs_.back() = at_end;
+        has_last_step_ = true;
     }
     return std::move(attempt.status);
 }
@@ -86,6 +88,7 @@ bool Session::restore(std::span<const double> state) {
         visit(back);
         return false;
     }
+    has_last_step_ = false;
     return true;
 }
 
@@ -99,6 +102,16 @@ void Session::exchange(Problem problem) {
     other.stepper_->find_watts(inputs_);
     other.sensor_outputs_->at(other.time(), inputs_, other.channels_);
     *this = std::move(other);
+}
+
+std::optional<LastStep> Session::last_step() const {
+    if (!has_last_step_) {
+        return std::nullopt;
+    }
+    return LastStep{.problem = problem_.get(),
+                    .stepper = stepper_.get(),
+                    .sensor_outputs = sensor_outputs_.get(),
+                    .inputs = stage_inputs_};
 }
 
 double Session::time() const { return stepper_->time(); }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,14 @@ namespace tiretherm::solver {
 class Archive;
 class SensorOutputs;
 class Stepper;
+
+/// What the last step of a session was made of, until the session takes another one.
+struct LastStep {
+    const Problem* problem;
+    Stepper* stepper;
+    const SensorOutputs* sensor_outputs;
+    std::span<const physics::Inputs> inputs;  ///< at its stages
+};
 
 /// A problem advanced in real time: the caller gives a step and the inputs at its end, and reads the temperatures.
 /// Between two calls the inputs go in a straight line. A step is one step of the problem's method without error
@@ -42,6 +51,9 @@ public:
     /// @param problem of the same mesh, effects and channels; its initial temperatures are not used
     void exchange(Problem problem);
 
+    /// Nothing before the first step, and after a state or another problem was taken up.
+    [[nodiscard]] std::optional<LastStep> last_step() const;
+
     [[nodiscard]] double time() const;                          ///< s since the beginning
     [[nodiscard]] std::span<const double> temperature() const;  ///< [n_nodes] K
     [[nodiscard]] double channel(std::size_t index) const;      ///< SI
@@ -57,6 +69,7 @@ private:
     physics::Inputs inputs_;
     std::vector<physics::Inputs> stage_inputs_;
     std::vector<double> channels_;
+    bool has_last_step_ = false;
 };
 
 }  // namespace tiretherm::solver

@@ -167,6 +167,7 @@ TEST(Fmu, AStateIsRestoredToTheBitAlsoFromBytes) {
     EXPECT_EQ(drive(other, 10, 30), on);
     ASSERT_EQ(fmi.free_state(other, &state), sample::ok);
     EXPECT_EQ(fmi.deserialise(other, bytes.data(), 10, &state), sample::error);
+    EXPECT_EQ(fmi.deserialise(other, bytes.data(), size - 8, &state), sample::error);
     bytes[3] ^= 1;  // of the token
     EXPECT_EQ(fmi.deserialise(other, bytes.data(), size, &state), sample::error);
     EXPECT_EQ(state, nullptr);

@@ -132,6 +132,57 @@ TEST(Fmu, AValueOutOfRangeIsDiscardedAndNothingIsSet) {
     EXPECT_EQ(fmi.do_step(it, 0.0, 1.0, 1), sample::ok);
 }
 
+TEST(Fmu, GoesThroughTheSequenceOfASimulatorThatKeepsItsStateInAFile) {
+    // As the FMI project's own simulator does it: start values before the experiment, inputs in initialization mode and before each
+    // step, communication points by multiplication, a stop time; then an instance that begins with the bytes of a file and is
+    // never initialized. That one frees the state by the state itself in the place of its pointer's address; older versions of FMPy hand
+    // over a zero behind the bytes.
+    const UnpackedFmu fmu(tires, FmiVersion::fmi2);
+    Fmi2 fmi(fmu);
+    const unsigned speed = fmu.number("speed");
+    const unsigned load = fmu.number("vertical_load");
+    const unsigned output = fmu.outputs()[0];
+    constexpr double start = 3.0;
+    constexpr double interval = 0.1;
+    const auto steps = [&](void* it, int from, int to) {
+        for (int i = from; i < to; ++i) {
+            const double point = i == 0 ? start : start + i * interval;
+            EXPECT_EQ(fmi.set(it, speed, 20.0 + i), sample::ok);
+            EXPECT_EQ(fmi.do_step(it, point, start + (i + 1) * interval - point, 1), sample::ok) << fmi.log.back().text;
+        }
+        return fmi.value(it, output);
+    };
+    void* it = fmi.make("instance1", false);
+    ASSERT_EQ(fmi.set(it, load, 3500.0), sample::ok);
+    ASSERT_EQ(fmi.set_up(it, 0, 0.0, start, 1, start + 20 * interval), sample::ok);
+    ASSERT_EQ(fmi.enter(it), sample::ok);
+    ASSERT_EQ(fmi.set(it, speed, 20.0), sample::ok);
+    ASSERT_EQ(fmi.exit(it), sample::ok);
+    steps(it, 0, 10);
+    void* state = nullptr;
+    std::size_t size = 0;
+    ASSERT_EQ(fmi.get_state(it, &state), sample::ok);
+    ASSERT_EQ(fmi.state_size(it, state, &size), sample::ok);
+    std::string file(size, '\0');
+    ASSERT_EQ(fmi.serialise(it, state, file.data(), size), sample::ok);
+    ASSERT_EQ(fmi.free_state(it, &state), sample::ok);
+    const double straight_on = steps(it, 10, 20);
+    EXPECT_EQ(fmi.do_step(it, start + 20 * interval, interval, 1), sample::error) << "past the stop time";
+    fmi.free_instance(it);
+
+    void* other = fmi.make("instance1", false);
+    ASSERT_EQ(fmi.deserialise(other, file.c_str(), file.size() + 1, &state), sample::ok);
+    ASSERT_EQ(fmi.set_state(other, state), sample::ok);
+    ASSERT_EQ(fmi.free_state(other, static_cast<void**>(state)), sample::ok);
+    ASSERT_EQ(fmi.set(other, load, 3500.0), sample::ok);
+    EXPECT_EQ(steps(other, 10, 20), straight_on);
+    EXPECT_EQ(fmi.terminate(other), sample::ok);
+    state = nullptr;
+    EXPECT_EQ(fmi.free_state(other, &state), sample::ok) << "there is none";
+    EXPECT_EQ(fmi.set_state(other, other), sample::error) << "an instance is no state";
+    fmi.free_instance(other);
+}
+
 TEST(Fmu, LogsByCategories) {
     const UnpackedFmu fmu(tires, FmiVersion::fmi2);
     Fmi2 fmi(fmu);
