@@ -6,13 +6,13 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tiretherm)
 
 install(TARGETS tiretherm COMPONENT program)
 install(TARGETS tiretherm_vtk LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/tiretherm COMPONENT program)
-install(FILES interface/tiretherm.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
-foreach(part IN LISTS TIRETHERM_PARTS ITEMS session)
+install(FILES interface/tiretherm.h interface/tiretherm_cases.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+foreach(part IN LISTS TIRETHERM_PARTS ITEMS session cases)
     install(TARGETS tiretherm_${part} EXPORT tiretherm_${part} COMPONENT development)
     install(EXPORT tiretherm_${part} NAMESPACE tiretherm:: FILE tiretherm_${part}.cmake DESTINATION ${package_dir}
         COMPONENT development)
 endforeach()
-install(DIRECTORY mesh physics solver input diagnosis post DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm COMPONENT development
+install(DIRECTORY mesh physics solver input diagnosis post calls DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tiretherm COMPONENT development
     FILES_MATCHING PATTERN "*.hpp" PATTERN "*.list")  # a header may include a list
 install(FILES LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tiretherm/cases COMPONENT program USE_SOURCE_PERMISSIONS)

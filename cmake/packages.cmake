@@ -29,8 +29,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libfmt-dev, libeigen3-dev, libsuit
 libudunits2-dev, libmuparser-dev, libhdf5-dev, libceres-dev, nlohmann-json3-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "tiretherm (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Static libraries, headers and CMake package files: the solver alone, the
-readers of cases and logs, sessions in real time for C, the diagnosis, and the
-writers of results.")
+readers of cases and logs, the diagnosis, the writers of results, and for C
+sessions in real time, runs and fits.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tiretherm)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)

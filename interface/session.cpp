@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <exception>
 #include <limits>
 #include <string>
 #include <utility>
@@ -14,10 +12,14 @@
 #include <fmt/ranges.h>
 
 #include "input/runs/reader.hpp"
+#include "interface/guard.hpp"
 #include "interface/tiretherm.h"
 #include "solver/quantity.hpp"
 #include "solver/real_time/tunable_session.hpp"
 
+using tiretherm::interface::guarded;
+using tiretherm::interface::item_of;
+using tiretherm::interface::refuse;
 using tiretherm::physics::Signal;
 
 struct tiretherm_session {
@@ -40,34 +42,21 @@ namespace {
 
 const Signal* signal_of(int input) {
     const auto signals = tiretherm::physics::signals();
-    return input >= 0 && static_cast<std::size_t>(input) < signals.size() ? &signals[static_cast<std::size_t>(input)]
-                                                                          : nullptr;
+    return item_of(signals, input);
 }
 
 const tiretherm_session::Output* output_of(const tiretherm_session* session, int output) {
-    return session != nullptr && output >= 0 && static_cast<std::size_t>(output) < session->outputs.size()
-               ? &session->outputs[static_cast<std::size_t>(output)]
-               : nullptr;
+    return session != nullptr ? item_of(session->outputs, output) : nullptr;
 }
 
 const tiretherm::solver::FreeParameter* parameter_of(const tiretherm_session* session, int parameter) {
-    return session != nullptr && parameter >= 0 && parameter < tiretherm_parameter_count(session)
-               ? &session->session.model().parameters[static_cast<std::size_t>(parameter)]
-               : nullptr;
+    return session != nullptr ? item_of(session->session.model().parameters, parameter) : nullptr;
 }
 
-/// As much of a text as there is room for.
-void copy(const std::string& text, char* to, std::size_t size) {
-    if (to != nullptr && size > 0) {
-        const std::size_t n = std::min(text.size(), size - 1);
-        std::memcpy(to, text.data(), n);
-        to[n] = '\0';
-    }
-}
-
-int refuse(tiretherm_session* session, int result, std::string reason) {
-    session->message = std::move(reason);
-    return result;
+/// A call with a session that may be none. @param call returns a tiretherm_result
+template <typename Call>
+int with(tiretherm_session* session, const Call& call) {
+    return session != nullptr ? guarded(session->message, call) : TIRETHERM_BAD_ARGUMENT;
 }
 
 tiretherm_session* open_case(const char* case_file, std::string& message) {
@@ -95,15 +84,7 @@ extern "C" {
 const char* tiretherm_version(void) { return TIRETHERM_VERSION; }
 
 tiretherm_session* tiretherm_open(const char* case_file, char* message, size_t size) {
-    std::string text;
-    tiretherm_session* session = nullptr;
-    try {
-        session = open_case(case_file, text);
-    } catch (const std::exception& error) {
-        text = error.what();
-    }
-    copy(text, message, size);
-    return session;
+    return tiretherm::interface::opened(message, size, [&](std::string& text) { return open_case(case_file, text); });
 }
 
 void tiretherm_close(tiretherm_session* session) { delete session; }
@@ -152,32 +133,25 @@ int tiretherm_find_output(const tiretherm_session* session, const char* name) {
 }
 
 int tiretherm_set_input(tiretherm_session* session, int input, double value) {
-    if (session == nullptr) {
-        return TIRETHERM_BAD_ARGUMENT;
-    }
-    session->message.clear();
-    const Signal* signal = signal_of(input);
-    if (signal == nullptr) {
-        return refuse(session, TIRETHERM_BAD_ARGUMENT, "there is no such input; tiretherm_find_input gives its number");
-    }
-    std::string reason = session->session.set_input(*signal, value);
-    return reason.empty() ? TIRETHERM_OK : refuse(session, TIRETHERM_BAD_ARGUMENT, std::move(reason));
+    return with(session, [&] {
+        const Signal* signal = signal_of(input);
+        if (signal == nullptr) {
+            return refuse(session->message, TIRETHERM_BAD_ARGUMENT,
+                          "there is no such input; tiretherm_find_input gives its number");
+        }
+        std::string reason = session->session.set_input(*signal, value);
+        return reason.empty() ? TIRETHERM_OK : refuse(session->message, TIRETHERM_BAD_ARGUMENT, std::move(reason));
+    });
 }
 
 int tiretherm_step(tiretherm_session* session, double dt) {
-    if (session == nullptr) {
-        return TIRETHERM_BAD_ARGUMENT;
-    }
-    session->message.clear();
-    if (!(dt > 0.0) || !std::isfinite(dt)) {
-        return refuse(session, TIRETHERM_BAD_ARGUMENT, "a step must be positive");
-    }
-    try {
+    return with(session, [&] {
+        if (!(dt > 0.0) || !std::isfinite(dt)) {
+            return refuse(session->message, TIRETHERM_BAD_ARGUMENT, "a step must be positive");
+        }
         const tiretherm::solver::Status status = session->session.advance(dt);
-        return status.ok() ? TIRETHERM_OK : refuse(session, TIRETHERM_FAILED, status.message);
-    } catch (const std::exception& error) {
-        return refuse(session, TIRETHERM_FAILED, error.what());
-    }
+        return status.ok() ? TIRETHERM_OK : refuse(session->message, TIRETHERM_FAILED, status.message);
+    });
 }
 
 double tiretherm_output(const tiretherm_session* session, int output) {
@@ -217,48 +191,42 @@ double tiretherm_parameter(const tiretherm_session* session, int parameter) {
 }
 
 int tiretherm_set_parameter(tiretherm_session* session, int parameter, double value) {
-    if (session == nullptr) {
-        return TIRETHERM_BAD_ARGUMENT;
-    }
-    session->message.clear();
-    if (parameter_of(session, parameter) == nullptr) {
-        return refuse(session, TIRETHERM_BAD_ARGUMENT, "there is no such parameter");
-    }
-    try {
+    return with(session, [&] {
+        if (parameter_of(session, parameter) == nullptr) {
+            return refuse(session->message, TIRETHERM_BAD_ARGUMENT, "there is no such parameter");
+        }
         std::string reason = session->session.set_parameter(static_cast<std::size_t>(parameter), value);
         if (!reason.empty()) {
-            return refuse(session, TIRETHERM_BAD_ARGUMENT, std::move(reason));
+            return refuse(session->message, TIRETHERM_BAD_ARGUMENT, std::move(reason));
         }
         session->session.apply_parameters();
-        return TIRETHERM_OK;
-    } catch (const std::exception& error) {
-        return refuse(session, TIRETHERM_FAILED, error.what());
-    }
+        return static_cast<int>(TIRETHERM_OK);
+    });
 }
 
 size_t tiretherm_state(tiretherm_session* session, double* state, size_t size) {
-    if (session == nullptr) {
-        return 0;
-    }
-    const std::vector<double> now = session->session.state();
-    if (state != nullptr && size >= now.size()) {
-        std::ranges::copy(now, state);
-    }
-    return now.size();
+    std::size_t needed = 0;
+    std::string why_not;
+    static_cast<void>(guarded(why_not, [&] {
+        if (session == nullptr) {
+            return TIRETHERM_BAD_ARGUMENT;
+        }
+        const std::vector<double> now = session->session.state();
+        if (state != nullptr && size >= now.size()) {
+            std::ranges::copy(now, state);
+        }
+        needed = now.size();
+        return TIRETHERM_OK;
+    }));
+    return needed;
 }
 
 int tiretherm_restore(tiretherm_session* session, const double* state, size_t size) {
-    if (session == nullptr) {
-        return TIRETHERM_BAD_ARGUMENT;
-    }
-    session->message.clear();
-    try {
+    return with(session, [&] {
         return state != nullptr && session->session.restore({state, size})
                    ? TIRETHERM_OK
-                   : refuse(session, TIRETHERM_BAD_ARGUMENT, "this is no state of the session's case");
-    } catch (const std::exception& error) {
-        return refuse(session, TIRETHERM_FAILED, error.what());
-    }
+                   : refuse(session->message, TIRETHERM_BAD_ARGUMENT, "this is no state of the session's case");
+    });
 }
 
 const char* tiretherm_message(const tiretherm_session* session) {

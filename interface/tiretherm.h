@@ -12,11 +12,13 @@
  *     }
  *     tiretherm_close(tire);
  *
- * All numbers are SI: K, m/s, N, rad, Pa, W. `tiretherm inputs` says what each input means.
+ * All numbers are SI: K, m/s, N, rad, Pa, W. `tiretherm inputs` says what each input means. tiretherm_cases.h has whole runs and fits.
  *
  * Work: a step is one step of the case's method, without error control. It makes at most 50 corrections and, for steps as a
  * vehicle model makes them, one or none. It opens no file, takes no lock and, after the first steps, allocates nothing unless
  * it fails.
+ *
+ * Errors: a NULL in the place of a session is a bad argument. No exception of C++ leaves a function.
  *
  * Threads: a session belongs to one thread at a time; different sessions are independent.
  */
@@ -36,7 +38,8 @@ typedef struct tiretherm_session tiretherm_session;
 enum tiretherm_result {
     TIRETHERM_OK = 0,
     TIRETHERM_BAD_ARGUMENT = 1, /**< nothing was changed */
-    TIRETHERM_FAILED = 2        /**< the step failed; the session is as it was before */
+    TIRETHERM_FAILED = 2,       /**< no solution, or no memory; a session is as it was before */
+    TIRETHERM_STOPPED = 3       /**< ended before its end because it was asked for, see tiretherm_cases.h */
 };
 
 /** Version of the library, "0.2.0". */
@@ -107,7 +110,7 @@ int tiretherm_set_parameter(tiretherm_session *session, int parameter, double va
 
 /** The state of a session, with its inputs and parameters, as numbers: what is restored goes on with the same digits.
  * @param state [size] out; may be NULL  @param size nothing is written when it is smaller than what is returned
- * @returns how many numbers a state is; it changes from step to step */
+ * @returns how many numbers a state is, which changes from step to step; 0 when there is no memory for it */
 size_t tiretherm_state(tiretherm_session *session, double *state, size_t size);
 /** Takes a state up again, of this session or of another of the same case.
  * @returns TIRETHERM_BAD_ARGUMENT when it is none of this case; nothing has changed then */

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -19,6 +20,25 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string spelt(std::string_view unit) { return spelt_out(unit); }
+
+void put_at(const SourceLocation& place, TomlValue& value) {
+    value.place = place;
+    for (TomlValue& item : value.items) {
+        put_at(place, item);
+    }
+}
+
+/// A list as TOML has it. @returns nothing where it is none
+std::optional<TomlValue> list_of(const LocatedString& written) {
+    InputErrors not_said;
+    const std::string text = "list = " + written.text;
+    std::optional<TomlValue> document = parse_toml({.number = not_said.add_file("", text), .text = text}, not_said);
+    if (!document || document->entries.size() != 1 || document->entries[0].value.kind != TomlValue::Kind::array) {
+        return std::nullopt;
+    }
+    put_at(written.place, document->entries[0].value);
+    return std::move(document->entries[0].value);
+}
 
 }  // namespace
 
@@ -74,6 +94,25 @@ StudyValue study_value(double number, const std::string& unit, bool whole, const
     value.text += " " + unit;
     value.node.kind = TomlValue::Kind::text;
     value.node.text = value.text;
+    return value;
+}
+
+TomlValue value_of(const LocatedString& written) {
+    TomlValue value;
+    value.place = written.place;
+    const std::optional<Number> number = leading_number(written.text);
+    if (number && number->rest.empty()) {
+        value.kind = number->value == std::round(number->value) ? TomlValue::Kind::integer : TomlValue::Kind::real;
+        value.number = number->value;
+    } else if (written.text == "true" || written.text == "false") {
+        value.kind = TomlValue::Kind::boolean;
+        value.truth = written.text == "true";
+    } else if (std::optional<TomlValue> list = list_of(written)) {
+        value = std::move(*list);
+    } else {
+        value.kind = TomlValue::Kind::text;
+        value.text = written.text;
+    }
     return value;
 }
 

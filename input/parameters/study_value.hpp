@@ -35,6 +35,10 @@ struct StudyValue {
 /// A number with its unit as a case has it. Nine digits, so that the shown value is the one that is run.
 [[nodiscard]] StudyValue study_value(double number, const std::string& unit, bool whole, const SourceLocation& place);
 
+/// A value from outside of a case: a pure number, true or false, a list as TOML has it, otherwise a text such as "80 km/h" without
+/// quotation marks. With its place.
+[[nodiscard]] TomlValue value_of(const LocatedString& written);
+
 /// A value as it is written.
 [[nodiscard]] StudyValue study_value(const TomlValue& node);
 

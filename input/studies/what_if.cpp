@@ -144,23 +144,6 @@ std::optional<TomlValue> moved(const TomlValue& value, const std::string& key, c
     return by ? std::optional(study_value(known.number + *by, unit, false, step.measure.place).node) : std::nullopt;
 }
 
-TomlValue word(const LocatedString& change) {
-    TomlValue value;
-    value.place = change.place;
-    const std::optional<Number> number = leading_number(change.text);
-    if (number && number->rest.empty()) {
-        value.kind = number->value == std::round(number->value) ? TomlValue::Kind::integer : TomlValue::Kind::real;
-        value.number = number->value;
-    } else if (change.text == "true" || change.text == "false") {
-        value.kind = TomlValue::Kind::boolean;
-        value.truth = change.text == "true";
-    } else {
-        value.kind = TomlValue::Kind::text;
-        value.text = change.text;
-    }
-    return value;
-}
-
 /// A number of an effect that is on and that the case leaves to its standard, as the case would have it.
 std::optional<TomlValue> standard_value(const std::string& key, const solver::Problem& problem,
                                         const SourceLocation& place) {
@@ -184,7 +167,7 @@ void change_document(const std::filesystem::path& file, const std::string& run, 
     if (!path) {
         return;
     }
-    std::optional<TomlValue> value = word(asked.change);
+    std::optional<TomlValue> value = value_of(asked.change);
     if (step.is_added) {
         const TomlValue* given = path->find(*document);
         const std::optional<TomlValue> known =

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,8 +21,8 @@ namespace tiretherm::post {
 
 namespace {
 
-constexpr double on_a_terminal = 0.1;  // s
-constexpr double in_a_pipe = 60.0;     // s
+constexpr double at_once = 0.1;     // s, for a person who waits
+constexpr double in_a_pipe = 60.0;  // s
 constexpr double first_in_a_pipe = 10.0;
 
 /// A longer line would wrap, and then it could not be rewritten.
@@ -137,17 +138,25 @@ ProgressLine::ProgressLine(std::FILE* stream, Kind kind, Clock clock)
 
 ProgressLine::ProgressLine(std::FILE* stream, bool quiet) : ProgressLine(stream, kind_for(stream, quiet)) {}
 
-void ProgressLine::show(const std::function<std::string(double elapsed)>& line) {
+ProgressLine::ProgressLine(Listener listener) : ProgressLine(nullptr, Kind::listened) {
+    listener_ = std::move(listener);
+}
+
+void ProgressLine::show(const std::function<std::string(double elapsed)>& line, double share) {
     if (kind_ == Kind::silent) {
         return;
     }
     const double now = clock_();
     const double in_this_pipe = written_ == begun_ ? first_in_a_pipe : in_a_pipe;
-    if (now - written_ < (kind_ == Kind::rewritten ? on_a_terminal : in_this_pipe)) {
+    if (now - written_ < (kind_ == Kind::each_minute ? in_this_pipe : at_once)) {
         return;
     }
     written_ = now;
     const std::string text = input::printable(line(now - begun_));
+    if (kind_ == Kind::listened) {
+        listener_(text, share);
+        return;
+    }
     if (kind_ == Kind::rewritten) {
         fmt::print(stream_, "\r{}\033[K", cut_to_width(text, terminal_width(stream_) - 1));
         stands_ = true;
@@ -158,7 +167,9 @@ void ProgressLine::show(const std::function<std::string(double elapsed)>& line) 
 }
 
 void ProgressLine::show(const WorkDone& work) {
-    show([&](double elapsed) { return work_line(work, elapsed); });
+    const double share = work.total > 0 ? static_cast<double>(work.done) / static_cast<double>(work.total)
+                                        : std::numeric_limits<double>::quiet_NaN();
+    show([&](double elapsed) { return work_line(work, elapsed); }, share);
 }
 
 void ProgressLine::wipe() {
@@ -173,13 +184,14 @@ Progress::Progress(ProgressLine& line, std::string name, double start, double en
     : line_(&line), name_(std::move(name)), start_(start), end_(end) {}
 
 void Progress::update(double time, std::span<const double> temperature) {
-    line_->show([&](double elapsed) {
+    const auto line = [&](double elapsed) {
         return progress_line(name_, {.start = start_,
                                      .end = end_,
                                      .time = time,
                                      .hottest = *std::max_element(temperature.begin(), temperature.end()),
                                      .elapsed = elapsed});
-    });
+    };
+    line_->show(line, end_ > start_ ? (time - start_) / (end_ - start_) : 1.0);
 }
 
 }  // namespace tiretherm::post

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,7 +55,9 @@ struct WorkDone {
 /// a minute.
 class ProgressLine {
 public:
-    enum class Kind { silent, rewritten, each_minute };
+    enum class Kind { silent, rewritten, each_minute, listened };
+    /// Takes a line ten times a second at most. @param share done, 0 to 1; NaN: not known
+    using Listener = std::function<void(const std::string& line, double share)>;
     /// Seconds of wall time from any moment on.
     using Clock = std::function<double()>;
 
@@ -62,12 +65,15 @@ public:
     ProgressLine(std::FILE* stream, Kind kind, Clock clock = wall_clock);
     /// As it suits the stream. @param quiet stays silent
     ProgressLine(std::FILE* stream, bool quiet);
+    explicit ProgressLine(Listener listener);
     ~ProgressLine() { wipe(); }
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     /// @param line makes the line of the seconds since the beginning; called only where one is due
-    void show(const std::function<std::string(double elapsed)>& line);
+    /// @param share done, 0 to 1; NaN: not known
+    void show(const std::function<std::string(double elapsed)>& line,
+              double share = std::numeric_limits<double>::quiet_NaN());
     void show(const WorkDone& work);
     /// Removes the line, so that other text can follow.
     void wipe();
@@ -75,7 +81,8 @@ public:
     [[nodiscard]] static double wall_clock();
 
 private:
-    std::FILE* stream_;
+    std::FILE* stream_ = nullptr;
+    Listener listener_{};
     Kind kind_;
     Clock clock_;
     double begun_;

@@ -2,31 +2,21 @@
 // A call made from Python: what it came to, and how it is made without the GIL.
 #pragma once
 
-#include <cstdio>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <pybind11/pybind11.h>
 
-#include "calls/calls.hpp"
+#include "calls/outcome.hpp"
 #include "python/extension/recorded_run.hpp"
 
 namespace tiretherm::python {
 
 /// What a call came to. Which exception that is in Python is for its layer there to say.
-struct Outcome {
-    int exit = calls::Exit::done;
-    bool signalled = false;              ///< Ctrl-C came
-    std::vector<std::string> refused{};  ///< why there is no result, sentences without their full stops
-    std::string remedy{};
-    std::vector<input::InputError> errors{};  ///< of the case
-    std::vector<std::string> warnings{};      ///< that came with them
-    std::vector<std::string> notes{};
-    std::optional<post::Report> page{};
-    std::string text{};  ///< in the place of the page
+struct Outcome : calls::Outcome {
+    bool signalled = false;  ///< Ctrl-C came
     std::vector<std::shared_ptr<RecordedRun>> runs{};
 
     static void define(pybind11::module_& module);

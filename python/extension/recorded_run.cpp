@@ -47,20 +47,13 @@ py::array_t<Number> copied(const std::vector<Number>& values) {
 }  // namespace
 
 RecordedRun::RecordedRun(const input::RunOfCase& run, const std::vector<OwnSensor>& sensors)
-    : name_(run.name),
-      corner_(run.corner),
+    : rows_(run),
       settings_(run.problem.settings),
       symmetry_(run.problem.symmetry),
       mesh_(run.problem.mesh),
       sensors_(&sensors) {
-    for (const solver::Channel& channel : run.problem.channels) {
-        channels_.push_back({.name = channel.name,
-                             .unit = std::string(solver::unit_of(channel.quantity)),
-                             .shown = solver::shown_unit(channel.quantity).name,
-                             .meaning = channel.meaning});
-    }
     for (const OwnSensor& sensor : sensors) {
-        channels_.push_back({.name = sensor.name, .unit = "", .shown = "", .meaning = "computed in Python"});
+        rows_.channels.push_back({.name = sensor.name, .unit = "", .shown = "", .meaning = "computed in Python"});
     }
     for (const physics::ActiveEffect& active : run.problem.effects) {
         effects_.emplace_back(active.title());
@@ -68,13 +61,12 @@ RecordedRun::RecordedRun(const input::RunOfCase& run, const std::vector<OwnSenso
 }
 
 void RecordedRun::take(const solver::Snapshot& row) {
-    time_.push_back(row.time);
-    append(values_, row.channels);
+    rows_.take(row);
     if (!sensors_->empty()) {
         const py::gil_scoped_acquire gil;
         const py::array_t<double> temperature(signed_size(row.temperature.size()), row.temperature.data());
         for (const OwnSensor& sensor : *sensors_) {
-            values_.push_back(sensor.read(row.time, temperature).cast<double>());
+            rows_.values.push_back(sensor.read(row.time, temperature).cast<double>());
         }
     }
     append(watts_, row.watts, symmetry_);
@@ -127,19 +119,22 @@ void RecordedRun::define(py::module_& module) {
         };
     };
     py::class_<RecordedRun, std::shared_ptr<RecordedRun>> run(module, "RecordedRun");
-    run.def_property_readonly("name", [](Self self) { return self->name_; });
-    run.def_property_readonly("corner", [](Self self) { return self->corner_; });
+    run.def_property_readonly("name", [](Self self) { return self->rows_.name; });
+    run.def_property_readonly("corner", [](Self self) { return self->rows_.corner; });
     run.def_property_readonly("channels", [](Self self) {
         py::list list;
-        for (const Channel& channel : self->channels_) {
+        for (const calls::RecordedRows::Channel& channel : self->rows_.channels) {
             list.append(py::make_tuple(channel.name, channel.unit, channel.shown, channel.meaning));
         }
         return list;
     });
     run.def_property_readonly("effects", [](Self self) { return self->effects_; });
-    run.def_property_readonly("time",
-                              [](Self self) { return view(self->time_, {signed_size(self->rows())}, py::cast(self)); });
-    run.def_property_readonly("values", table(&RecordedRun::values_, &RecordedRun::channels_));
+    run.def_property_readonly(
+        "time", [](Self self) { return view(self->rows_.time, {signed_size(self->rows())}, py::cast(self)); });
+    run.def_property_readonly("values", [](Self self) {
+        return view(self->rows_.values, {signed_size(self->rows()), signed_size(self->rows_.channels.size())},
+                    py::cast(self));
+    });
     run.def_property_readonly("watts", table(&RecordedRun::watts_, &RecordedRun::effects_));
     run.def_property_readonly("joules", table(&RecordedRun::joules_, &RecordedRun::effects_));
     run.def_property_readonly(

@@ -8,7 +8,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "calls/simulated_run.hpp"
+#include "calls/outcome.hpp"
 
 namespace tiretherm::python {
 
@@ -33,26 +33,16 @@ public:
     static void define(pybind11::module_& module);
 
 private:
-    struct Channel {
-        std::string name;
-        std::string unit;
-        std::string shown;
-        std::string meaning;
-    };
-    [[nodiscard]] std::size_t rows() const { return time_.size(); }
+    [[nodiscard]] std::size_t rows() const { return rows_.time.size(); }
     [[nodiscard]] pybind11::dict mesh() const;
     [[nodiscard]] pybind11::dict extreme(const solver::MarchReport::Extreme& extreme) const;
 
-    std::string name_;
-    std::string corner_;
+    calls::RecordedRows rows_;
     solver::Settings settings_;
     double symmetry_;
     mesh::Mesh mesh_;
-    std::vector<Channel> channels_;
     std::vector<std::string> effects_;
     const std::vector<OwnSensor>* sensors_;  ///< of the call, which has ended where rows are no longer taken
-    std::vector<double> time_;               ///< [rows] s
-    std::vector<double> values_;             ///< [rows][channels] SI
     std::vector<double> watts_;              ///< [rows][effects] W
     std::vector<double> joules_;             ///< [rows][effects] J
     std::vector<double> stored_;             ///< [rows] J

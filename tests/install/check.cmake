@@ -35,11 +35,20 @@ endforeach()
 consumer(core ${hidden})
 step(${program})
 
-# The example in C, as its own page says.
-step(${CMAKE_COMMAND} -S ${source}/../../examples/four_tires -B ${scratch}/four_tires -G ${generator}
-    -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${scratch}/prefix)
-step(${CMAKE_COMMAND} --build ${scratch}/four_tires)
-step(${scratch}/four_tires/four_tires ${scratch}/prefix/share/tiretherm/cases/two_node/4000N_100kmh.toml 1)
+# The examples in C, as their own page says.
+foreach(example four_tires c_cases)
+    step(${CMAKE_COMMAND} -S ${source}/../../examples/${example} -B ${scratch}/${example} -G ${generator}
+        -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${scratch}/prefix)
+    step(${CMAKE_COMMAND} --build ${scratch}/${example})
+endforeach()
+set(two_node ${scratch}/prefix/share/tiretherm/cases/two_node)
+step(${scratch}/four_tires/four_tires ${two_node}/4000N_100kmh.toml 1)
+step(${scratch}/c_cases/run_case ${two_node}/4000N_100kmh.toml ${scratch}/c_out)
+if(NOT EXISTS ${scratch}/c_out/field.pvd)
+    message(FATAL_ERROR "the example in C wrote no files for ParaView")
+endif()
+step(${scratch}/c_cases/vary_speed ${two_node}/4000N_100kmh.toml)
+step(${scratch}/c_cases/fit_case ${two_node}/identify_saturation.toml)
 
 consumer(post)
 step(${program} ${scratch}/prefix/share/tiretherm/cases/two_node/4000N_100kmh.toml ${scratch}/out)

@@ -12,5 +12,7 @@
 namespace tiretherm::sample {
 
 extern std::atomic<long> allocations;
+/// After so many there is no more memory.
+extern std::atomic<long> allocations_left;
 
 }  // namespace tiretherm::sample

@@ -195,6 +195,24 @@ TEST(TirethermH, AParameterThatIsSetBeforeTheFirstStepIsThatOfTheCase) {
 }
 
 #ifdef TIRETHERM_COUNTS_ALLOCATIONS
+TEST(TirethermH, SaysThatThereIsNoMemoryForAState) {
+    const Tire tire = open(two_node);
+    const std::size_t size = tiretherm_state(tire.get(), nullptr, 0);
+    std::vector<double> state(size);
+    ASSERT_EQ(tiretherm_state(tire.get(), state.data(), size), size);
+    const std::vector<double> before = state;
+    sample::allocations_left = 0;
+    const std::size_t found = tiretherm_state(tire.get(), state.data(), size);
+    const int refused = tiretherm_set_input(tire.get(), -1, 1.0);  // whose reason is a text
+    sample::allocations_left = std::numeric_limits<long>::max();
+    EXPECT_EQ(found, 0u);
+    EXPECT_EQ(refused, TIRETHERM_FAILED);
+    EXPECT_STREQ(tiretherm_message(tire.get()), "out of memory");
+    EXPECT_EQ(state, before);
+    EXPECT_EQ(tiretherm_state(tire.get(), state.data(), size), size);
+    EXPECT_EQ(state, before);
+}
+
 TEST(TirethermH, AllocatesNothingInAStep) {
     for (const char* file : {"/cases/two_node/4000N_100kmh.toml", "/cases/layers/two_conductivities.toml"}) {
         const Tire tire = open(std::string(TIRETHERM_SOURCE_DIR) + file);
