@@ -18,6 +18,8 @@
 #define TIRETHERM_FILE(file) ".incbin \"" TIRETHERM_ASSETS "/" file "\"\n"
 
 TIRETHERM_ASSET(style, TIRETHERM_FILE("report.css"));
+TIRETHERM_ASSET(live, TIRETHERM_FILE("live.html"));
+TIRETHERM_ASSET(live_script, TIRETHERM_FILE("parts.js") TIRETHERM_FILE("live.js"));
 TIRETHERM_ASSET(script, TIRETHERM_FILE("parts.js") TIRETHERM_FILE("maps_and_bars.js") TIRETHERM_FILE("fields.js")
                             TIRETHERM_FILE("images.js") TIRETHERM_FILE("report.js"));
 TIRETHERM_ASSET(export_script, TIRETHERM_FILE("export.js"));
@@ -26,6 +28,8 @@ TIRETHERM_ASSET(charting_library, TIRETHERM_FILE("echarts.min.js"));
 namespace tiretherm::post::assets {
 
 std::string_view style() { return {tiretherm_asset_style, tiretherm_asset_style_end}; }
+std::string_view live() { return {tiretherm_asset_live, tiretherm_asset_live_end}; }
+std::string_view live_script() { return {tiretherm_asset_live_script, tiretherm_asset_live_script_end}; }
 std::string_view script() { return {tiretherm_asset_script, tiretherm_asset_script_end}; }
 std::string_view export_script() { return {tiretherm_asset_export_script, tiretherm_asset_export_script_end}; }
 std::string_view charting_library() { return {tiretherm_asset_charting_library, tiretherm_asset_charting_library_end}; }
