@@ -18,7 +18,7 @@ function(tiretherm_c_library target kind)
     if(type STREQUAL "SHARED_LIBRARY")
         set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${interface_series}
             LINK_DEPENDS ${interface_exports})
-        target_link_options(${target} PRIVATE -Wl,--version-script=${interface_exports} -Wl,-z,defs)
+        target_link_options(${target} PRIVATE -Wl,--version-script=${interface_exports} -Wl,--exclude-libs,ALL -Wl,-z,defs)
     endif()
 endfunction()
 

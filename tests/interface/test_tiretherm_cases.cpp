@@ -22,16 +22,16 @@
 namespace tiretherm {
 namespace {
 
-const std::string two_node = TIRETHERM_SOURCE_DIR "/cases/two_node/4000N_100kmh.toml";
+const std::string warm_up = TIRETHERM_SOURCE_DIR "/cases/two_node/4000N_100kmh.toml";
 
-struct Closer {
+struct Freer {
     void operator()(tiretherm_case* tire) const { tiretherm_close_case(tire); }
     void operator()(tiretherm_answer* answer) const { tiretherm_free_answer(answer); }
 };
-using Case = std::unique_ptr<tiretherm_case, Closer>;
-using Answer = std::unique_ptr<tiretherm_answer, Closer>;
+using Case = std::unique_ptr<tiretherm_case, Freer>;
+using Answer = std::unique_ptr<tiretherm_answer, Freer>;
 
-Case open(const std::string& file) {
+Case open_file(const std::string& file) {
     std::array<char, 200> message{};
     Case tire(tiretherm_open_case(file.c_str(), message.data(), message.size()));
     EXPECT_NE(tire, nullptr) << message.data();
@@ -64,7 +64,7 @@ double last(const Answer& answer, const char* channel) {
 }
 
 TEST(TirethermCases, ARunHasTheNumbersOfTheSolver) {
-    const solver::Problem problem = *input::read_case(two_node).problem;
+    const solver::Problem problem = *input::read_case(warm_up).problem;
     std::vector<double> times;
     std::vector<double> values;
     std::vector<double> field;
@@ -76,7 +76,7 @@ TEST(TirethermCases, ARunHasTheNumbersOfTheSolver) {
     };
     ASSERT_TRUE(solver::run(problem, watch).status.ok());
 
-    const Answer answer = run(open(two_node));
+    const Answer answer = run(open_file(warm_up));
     ASSERT_EQ(tiretherm_tire_count(answer.get()), 1);
     EXPECT_STREQ(tiretherm_tire_name(answer.get(), 0), "");
     const std::size_t rows = tiretherm_row_count(answer.get(), 0);
@@ -100,11 +100,11 @@ TEST(TirethermCases, ARunHasTheNumbersOfTheSolver) {
 
 TEST(TirethermCases, AValueThatIsSetIsThatOfTheFile) {
     const sample::Scratch scratch;
-    post::replace_file(scratch / "given.toml", "include = \"" + two_node +
+    post::replace_file(scratch / "given.toml", "include = \"" + warm_up +
                                                    "\"\n[drive]\nspeed = \"120 km/h\"\n[effects.air_convection]\n"
                                                    "lambda_h = 1.4\n[effects.road_contact]\non = false\n");
-    const Answer given = run(open((scratch / "given.toml").string()));
-    const Case tire = open(two_node);
+    const Answer given = run(open_file((scratch / "given.toml").string()));
+    const Case tire = open_file(warm_up);
     EXPECT_STREQ(tiretherm_value(tire.get(), "drive.speed"), "100 km/h");
     EXPECT_EQ(tiretherm_value(tire.get(), "drive.sped"), nullptr);
     ASSERT_EQ(tiretherm_set_value(tire.get(), "drive.speed", "300 km/h"), TIRETHERM_OK);
@@ -126,7 +126,7 @@ TEST(TirethermCases, AValueThatIsSetIsThatOfTheFile) {
 }
 
 TEST(TirethermCases, AListIsSetAsTomlHasIt) {
-    const Case tire = open_text("include = \"" + two_node + "\"\n[data]\nfiles = [\"none.csv\"]\n");
+    const Case tire = open_text("include = \"" + warm_up + "\"\n[data]\nfiles = [\"none.csv\"]\n");
     ASSERT_EQ(tiretherm_set_value(tire.get(), "data.files", "[\"a.csv\", \"b.csv\"]"), TIRETHERM_OK);
     EXPECT_STREQ(tiretherm_value(tire.get(), "data.files"), "a.csv, b.csv");
     // What is no list does not get into the case as more than a text.
@@ -135,7 +135,7 @@ TEST(TirethermCases, AListIsSetAsTomlHasIt) {
 }
 
 TEST(TirethermCases, SaysAllMistakesWithTheirPlacesAndWhatWasSetByItsAddress) {
-    const Case tire = open_text("include = \"" + two_node + "\"\ntitel = \"x\"\n[time]\nend = \"5 kg\"\n");
+    const Case tire = open_text("include = \"" + warm_up + "\"\ntitel = \"x\"\n[time]\nend = \"5 kg\"\n");
     ASSERT_EQ(tiretherm_set_value(tire.get(), "drive.speed", "120 kg"), TIRETHERM_OK);
     tiretherm_answer* answer = nullptr;
     ASSERT_EQ(tiretherm_run_case(tire.get(), nullptr, nullptr, &answer), TIRETHERM_BAD_ARGUMENT);
@@ -156,7 +156,7 @@ TEST(TirethermCases, SaysAllMistakesWithTheirPlacesAndWhatWasSetByItsAddress) {
 
 TEST(TirethermCases, WritesTheFilesOfARunIntoAFolder) {
     const sample::Scratch scratch;
-    const Answer answer = run(open(two_node), (scratch / "out").c_str());
+    const Answer answer = run(open_file(warm_up), (scratch / "out").c_str());
     ASSERT_GT(tiretherm_file_count(answer.get()), 3);
     for (int i = 0; i < tiretherm_file_count(answer.get()); ++i) {
         EXPECT_TRUE(std::filesystem::exists(tiretherm_file(answer.get(), i))) << tiretherm_file(answer.get(), i);
@@ -181,11 +181,11 @@ void write_log(const Answer& answer, const std::filesystem::path& file) {
 
 TEST(TirethermCases, AFitFindsTheValueThatTheDataWereMadeWith) {
     const sample::Scratch scratch;
-    const Case truth = open(two_node);
+    const Case truth = open_file(warm_up);
     ASSERT_EQ(tiretherm_set_value(truth.get(), "effects.air_convection.lambda_h", "1.3"), TIRETHERM_OK);
     write_log(run(truth), scratch / "log.csv");
     const Case tire =
-        open_text("include = \"" + two_node + "\"\n[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\n");
+        open_text("include = \"" + warm_up + "\"\n[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\n");
     const std::string log = (scratch / "log.csv").string();
     const std::array<const char*, 2> data{log.c_str(), nullptr};
     tiretherm_answer* found = nullptr;
@@ -216,11 +216,11 @@ TEST(TirethermCases, AFitFindsTheValueThatTheDataWereMadeWith) {
 
 TEST(TirethermCases, ADiagnosisGivesItsVerdict) {
     const sample::Scratch scratch;
-    const Case truth = open(two_node);
+    const Case truth = open_file(warm_up);
     ASSERT_EQ(tiretherm_set_value(truth.get(), "effects.air_convection.lambda_h", "1.3"), TIRETHERM_OK);
     write_log(run(truth), scratch / "log.csv");
     const Case tire =
-        open_text("include = \"" + two_node + "\"\n[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\n");
+        open_text("include = \"" + warm_up + "\"\n[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\n");
     const std::string log = (scratch / "log.csv").string();
     const std::array<const char*, 2> data{log.c_str(), nullptr};
     tiretherm_answer* found = nullptr;
@@ -238,9 +238,9 @@ TEST(TirethermCases, ProgressStopsARunWithItsRowsUpToThen) {
         std::string line{};
     };
     // A row a second: some seconds of work, of which a tenth is the first that progress tells of.
-    const Case tire = open(two_node);
+    const Case tire = open_file(warm_up);
     ASSERT_EQ(tiretherm_set_value(tire.get(), "time.end", "3000000 s"), TIRETHERM_OK);
-    ASSERT_EQ(tiretherm_set_value(tire.get(), "output.interval", "1 s"), TIRETHERM_OK);
+    ASSERT_EQ(tiretherm_set_value(tire.get(), "time.output", "1 s"), TIRETHERM_OK);
     Seen seen;
     const auto stop = [](double done, const char* line, void* user) {
         *static_cast<Seen*>(user) = {static_cast<Seen*>(user)->calls + 1, done, line};
@@ -294,7 +294,7 @@ TEST(TirethermCases, NothingInThePlaceOfACaseOrAnAnswerIsAnErrorAndNoCrash) {
     EXPECT_EQ(tiretherm_final_temperatures(nullptr, 0), nullptr);
     EXPECT_TRUE(std::isnan(tiretherm_fitted_low(nullptr, 0)));
 
-    const Case tire = open(two_node);
+    const Case tire = open_file(warm_up);
     EXPECT_EQ(tiretherm_set_value(tire.get(), nullptr, "1 m/s"), TIRETHERM_BAD_ARGUMENT);
     EXPECT_EQ(tiretherm_set_value(tire.get(), "drive.speed", nullptr), TIRETHERM_BAD_ARGUMENT);
     EXPECT_STREQ(tiretherm_case_message(tire.get()), "an address and a value are wanted");
@@ -315,11 +315,11 @@ TEST(TirethermCases, NothingInThePlaceOfACaseOrAnAnswerIsAnErrorAndNoCrash) {
 
 #ifdef TIRETHERM_COUNTS_ALLOCATIONS
 TEST(TirethermCases, WithoutMemoryItFails) {
-    const Case tire = open(two_node);
+    const Case tire = open_file(warm_up);
     sample::allocations_left = 0;
     const int set = tiretherm_set_value(tire.get(), "effects.air_convection.lambda_h", "1.3");
     const int ran = tiretherm_run_case(tire.get(), nullptr, nullptr, nullptr);
-    tiretherm_case* const opened = tiretherm_open_case(two_node.c_str(), nullptr, 0);
+    tiretherm_case* const opened = tiretherm_open_case(warm_up.c_str(), nullptr, 0);
     sample::allocations_left = std::numeric_limits<long>::max();
     EXPECT_EQ(set, TIRETHERM_FAILED);
     EXPECT_EQ(ran, TIRETHERM_FAILED);
