@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What 16 sensitivities cost on a section of 24 x 64 cells: an hour at constant inputs and ten minutes under a rough log,
-// each alone over its steps and with the derivatives of its channels with 16 numbers. The ratio of the two is the figure.
+// each alone over its steps, with the derivatives of its channels with 16 numbers, and with those of one sum of its channels
+// with the heat of every step and node. The ratios to the run alone are the figures.
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "benchmarks/ratio.hpp"
 #include "benchmarks/rolling_section.hpp"
 #include "mesh/probe.hpp"
+#include "solver/sensitivity/adjoint_record.hpp"
 #include "solver/sensitivity/prediction.hpp"
 
 namespace tiretherm::benchmarks {
@@ -65,17 +67,27 @@ std::vector<solver::FreeParameter> sixteen(const solver::Problem& problem) {
             start};
 }
 
-void run(benchmark::State& state, void (*drive)(solver::Problem&), double end, bool with_slopes) {
+solver::Problem problem_of(void (*drive)(solver::Problem&), double end) {
     solver::Problem problem = rolling_section();
     drive(problem);
     problem.settings.end = end;
     for (const mesh::Region& region : problem.mesh.regions) {
         problem.channels.push_back({.name = region.name, .meaning = "", .where = region.mean});
     }
+    return problem;
+}
+
+std::vector<double> times_until(double end) {
     std::vector<double> times;
     for (double t = 0.0; t <= end; t += 2.0) {
         times.push_back(t);
     }
+    return times;
+}
+
+void run(benchmark::State& state, void (*drive)(solver::Problem&), double end, bool with_slopes) {
+    const solver::Problem problem = problem_of(drive, end);
+    const std::vector<double> times = times_until(end);
     const std::vector<solver::FreeParameter> parameters = sixteen(problem);
     std::vector<double> values;
     for (const solver::FreeParameter& parameter : parameters) {
@@ -96,15 +108,38 @@ void run(benchmark::State& state, void (*drive)(solver::Problem&), double end, b
     state.counters["steps"] = static_cast<double>(steps.size());
 }
 
+void run_with_adjoint(benchmark::State& state, void (*drive)(solver::Problem&), double end) {
+    const solver::Problem problem = problem_of(drive, end);
+    const std::vector<double> times = times_until(end);
+    const std::vector<double> steps = solver::predict(problem, {.times = times}).step_ends;
+    const std::vector<double> weights(times.size() * problem.channels.size(), 1.0);
+    double sum = 0.0;
+    for (auto _ : state) {
+        solver::AdjointRecord record(problem, times, steps);
+        if (!record.status().ok()) {
+            state.SkipWithError(record.status().message.c_str());
+            return;
+        }
+        record.backward(
+            1, weights, [&](std::size_t, std::span<const double> slopes) { sum += slopes.front(); }, 1e-3);
+    }
+    benchmark::DoNotOptimize(sum);
+    state.counters["steps"] = static_cast<double>(steps.size());
+}
+
 void constant_alone(benchmark::State& state) { run(state, drive_constant, 3600.0, false); }
 void constant_with_16(benchmark::State& state) { run(state, drive_constant, 3600.0, true); }
+void constant_adjoint(benchmark::State& state) { run_with_adjoint(state, drive_constant, 3600.0); }
 void logged_alone(benchmark::State& state) { run(state, drive_logged, 600.0, false); }
 void logged_with_16(benchmark::State& state) { run(state, drive_logged, 600.0, true); }
+void logged_adjoint(benchmark::State& state) { run_with_adjoint(state, drive_logged, 600.0); }
 
 BENCHMARK(constant_alone)->Unit(benchmark::kMillisecond);
 BENCHMARK(constant_with_16)->Unit(benchmark::kMillisecond);
+BENCHMARK(constant_adjoint)->Unit(benchmark::kMillisecond);
 BENCHMARK(logged_alone)->Unit(benchmark::kMillisecond);
 BENCHMARK(logged_with_16)->Unit(benchmark::kMillisecond);
+BENCHMARK(logged_adjoint)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

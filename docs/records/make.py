@@ -188,8 +188,9 @@ def benchmarks(entry, sources, run):
                     one[part] = row[f"{part}_s"] / seconds
             found[name].setdefault(row["run_name"].split("/")[0], one)
     alone = found["sensitivities"]
-    ratios = [alone[f"{inputs}_with_16"]["seconds"] / alone[f"{inputs}_alone"]["seconds"] for inputs in ("constant", "logged")]
-    found["sensitivities_low"], found["sensitivities_high"] = min(ratios), max(ratios)
+    for name, kind in (("sensitivities", "with_16"), ("adjoint", "adjoint")):
+        ratios = [alone[f"{inputs}_{kind}"]["seconds"] / alone[f"{inputs}_alone"]["seconds"] for inputs in ("constant", "logged")]
+        found[f"{name}_low"], found[f"{name}_high"] = min(ratios), max(ratios)
     thomas = found["layers_step"]["thomas_factor_and_solve"]["seconds"]
     found["session_ratio"] = found["layers_step"]["session_step"]["seconds"] / thomas
     return found
