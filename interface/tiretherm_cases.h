@@ -144,9 +144,9 @@ const char *tiretherm_fitted_unit(const tiretherm_answer *answer, int parameter)
 const char *tiretherm_fitted_word(const tiretherm_answer *answer, int parameter);
 /** Its value. */
 double tiretherm_fitted_value(const tiretherm_answer *answer, int parameter);
-/** Lower end of its 95 % interval; minus infinity where it is open. */
+/** Lower end of its 95 % interval; minus infinity where it reaches beyond the parameter's bound. */
 double tiretherm_fitted_low(const tiretherm_answer *answer, int parameter);
-/** Upper end of its 95 % interval; infinity where it is open. */
+/** Upper end of its 95 % interval; infinity where it reaches beyond the bound. */
 double tiretherm_fitted_high(const tiretherm_answer *answer, int parameter);
 
 #ifdef __cplusplus
