@@ -222,7 +222,17 @@ struct Fmi3 {
     int (*do_step)(void*, double, double, bool, bool*, bool*, bool*, double*);
 };
 
-inline const std::string tires = TIRETHERM_SOURCE_DIR "/cases/two_node/4000N_100kmh.toml";
+inline std::string library_case(const std::string& name) { return TIRETHERM_SOURCE_DIR "/cases/" + name + ".toml"; }
+inline const std::string tires = library_case("two_node/4000N_100kmh");
+
+/// A case with two parameters, of which one is an initial temperature.
+inline std::string with_parameters(const sample::Scratch& scratch) {
+    post::replace_file(scratch / "parameters.toml",
+                       "include = \"" + tires +
+                           "\"\n[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\nlow = 0.1\nhigh = 10\n"
+                           "[[parameter]]\ninitial = \"temperature\"\n");
+    return (scratch / "parameters.toml").string();
+}
 
 /// Instances that are freed at the end.
 struct Instances {

@@ -24,19 +24,10 @@ using post::FmiVersion;
 using sample::Fmi2;
 using sample::Fmi3;
 using sample::Instances;
+using sample::library_case;
 using sample::tires;
 using sample::UnpackedFmu;
-
-std::string library_case(const std::string& name) { return TIRETHERM_SOURCE_DIR "/cases/" + name + ".toml"; }
-
-/// A case with two parameters, of which one is an initial temperature.
-std::string with_parameters(const sample::Scratch& scratch) {
-    post::replace_file(scratch / "parameters.toml",
-                       "include = \"" + tires +
-                           "\"\n[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\nlow = 0.1\nhigh = 10\n"
-                           "[[parameter]]\ninitial = \"temperature\"\n");
-    return (scratch / "parameters.toml").string();
-}
+using sample::with_parameters;
 
 double speed_at(int i) { return 30.0 + 5.0 * std::sin(0.1 * i); }
 double load_at(int i) { return i % 7 == 0 ? 0.0 : 4000.0 + 300.0 * std::sin(0.3 * i); }  // lifted off now and then

@@ -17,22 +17,14 @@ using post::FmiVersion;
 using sample::Fmi2;
 using sample::Fmi3;
 using sample::Instances;
+using sample::library_case;
 using sample::tires;
 using sample::UnpackedFmu;
+using sample::with_parameters;
 
 using Derive2 = int(void*, const unsigned*, std::size_t, const unsigned*, std::size_t, const double*, double*);
 using Derive3 = int(void*, const unsigned*, std::size_t, const unsigned*, std::size_t, const double*, std::size_t,
                     double*, std::size_t);
-
-std::string case_of(const std::string& name) { return TIRETHERM_SOURCE_DIR "/cases/" + name + ".toml"; }
-
-std::string with_parameters(const sample::Scratch& scratch) {
-    post::replace_file(scratch / "parameters.toml",
-                       "include = \"" + tires +
-                           "\"\n[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\nlow = 0.1\nhigh = 10\n"
-                           "[[parameter]]\ninitial = \"temperature\"\n");
-    return (scratch / "parameters.toml").string();
-}
 
 std::vector<double> all_outputs(const Fmi2& fmi, void* it, const std::vector<unsigned>& outputs) {
     std::vector<double> values(outputs.size());
@@ -45,7 +37,7 @@ TEST(FmuDerivatives, AreThoseOfTheStepForAllInputsAndOutputs) {
     // corrections leave (5 % of the tolerance of 0.001 K, at most) over the distance.
     for (const char* name :
          {"two_node/4000N_100kmh", "section/4000N_100kmh_all_heat_paths", "practice/two_node_bench"}) {
-        const UnpackedFmu fmu(case_of(name), FmiVersion::fmi2);
+        const UnpackedFmu fmu(library_case(name), FmiVersion::fmi2);
         Fmi2 fmi(fmu);
         Instances instances(fmi);
         void* it = instances.start("tire");
