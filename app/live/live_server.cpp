@@ -6,7 +6,6 @@
 
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <memory>
 #include <set>
@@ -34,6 +33,7 @@ constexpr std::size_t most_unread = 1U << 20U;  // bytes that a peer may send to
 constexpr int most_waiting = 1 << 16;  // bytes of frames on their way to one that looks on: it shall see new ones
 constexpr std::chrono::seconds longest_silence{10};
 constexpr milliseconds page_pause{50};
+constexpr double endless = 1e9;  // s: longer limits do not fit into the clock, and nobody will see their end
 
 std::string as_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
@@ -293,7 +293,7 @@ void Server::run(double seconds) {
         }
     };
     signals_.async_wait(stop);
-    if (std::isfinite(seconds)) {
+    if (seconds < endless) {
         end_.expires_after(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
         end_.async_wait(stop);
     }
