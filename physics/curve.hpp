@@ -70,6 +70,8 @@ public:
     [[nodiscard]] bool is_quadratic_between(double low, double high) const {
         return !is_table_ && is_inside(low) && is_inside(high);
     }
+    /// Whether it holds at any temperature.
+    [[nodiscard]] bool is_quadratic() const { return !is_table_ && !has_range_; }
     /// Of a quadratic: c0, c1, c2.
     [[nodiscard]] std::array<double, 3> coefficients() const { return {c0_, c1_, c2_}; }
     /// Of a table: its points.

@@ -42,6 +42,11 @@ System::System(const Problem& problem)
             second_faces_.push_back(f);
         }
     }
+    if (ranges_of(flow_.size()) == 1) {
+        for (const mesh::Face& face : problem.mesh.faces) {
+            ends_.push_back({face.a, face.b});
+        }
+    }
     settle_effects();
     for (const physics::ActiveEffect& active : effects_) {
         first_coefficient_.push_back(n_coefficients_);
@@ -244,6 +249,16 @@ void System::evaluate(std::span<const double> T, std::span<const double> coeffic
 void System::find_flow(const physics::Terms& terms, std::span<const double> T, std::span<double> q) const {
     if (!terms.faces_used) {
         copy_nodes(terms.node_q, q);
+        return;
+    }
+    if (!ends_.empty()) {
+        std::ranges::copy(terms.node_q, q.begin());
+        for (std::size_t f = 0; f < ends_.size(); ++f) {
+            const auto [a, b] = ends_[f];
+            const double flux = terms.face_G[f] * (T[at(b)] - T[at(a)]);
+            q[at(a)] += flux;
+            q[at(b)] -= flux;
+        }
         return;
     }
     over_nodes(q.size(), [&](std::size_t i) {

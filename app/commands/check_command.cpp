@@ -172,7 +172,7 @@ std::string loss_text(const std::vector<post::CompoundPeak>& compounds) {
     return fmt::format("tan delta at most {}", fmt::join(parts, ", "));
 }
 
-void print_text(const Checked& checked) {
+void print_as_text(const Checked& checked) {
     const solver::Problem& problem = checked.problem;
     post::TextTable table({true, true});
     table.add({"mesh", fmt::format("{} ({})", problem.mesh.kind, fmt::join(problem.mesh.layers, ", "))});
@@ -216,7 +216,7 @@ Json json_of(const physics::Sheet& sheet) {
             {"poisson", sheet.nu_xy}};
 }
 
-void print_json(const Checked& checked) {
+void print_as_json(const Checked& checked) {
     const solver::Problem& problem = checked.problem;
     const input::CaseSize size = input::size_of(problem);
     Json json{{"case", problem.name},
@@ -273,7 +273,7 @@ void print_json(const Checked& checked) {
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-void print(const Checked& checked, bool json) { json ? print_json(checked) : print_text(checked); }
+void print(const Checked& checked, bool json) { json ? print_as_json(checked) : print_as_text(checked); }
 
 /// What is unusual about the case, then about its data.
 std::vector<std::string> joined(std::vector<std::string> of_case, const std::vector<std::string>& of_data) {

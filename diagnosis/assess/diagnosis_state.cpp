@@ -18,7 +18,7 @@ namespace {
 
 constexpr double wide = 1.959964;  // 95 % of a normal distribution
 /// In log likelihood: places and signals that are no less likely than this are named beside the best.
-constexpr double alike = 5.0;
+constexpr double alike_within = 5.0;
 
 std::string place_of(const ScoreTestData& score_data, const UnknownTerm& term) {
     return term.sensor ? score_data.experiment->runs.front().problem.channels[term.place].name
@@ -57,7 +57,7 @@ UnknownSource describe_unknown(const DiagnosisState& found) {
     for (std::size_t other = 0; other < score_data.unknowns.terms.size(); ++other) {
         const UnknownTerm& one = score_data.unknowns.terms[other];
         const double z = scores.z[static_cast<Eigen::Index>(other)];
-        if (other != found.unknown.term && found.unknown.gain() - 0.5 * z * z < alike && !one.event) {
+        if (other != found.unknown.term && found.unknown.gain() - 0.5 * z * z < alike_within && !one.event) {
             source.alike.push_back(place_of(score_data, one) + ", " + score_data.unknowns.signals[one.signal].follows);
         }
     }
@@ -153,7 +153,7 @@ const FittedHypothesis* implausible(const DiagnosisState& found) {
             }
         }
     }
-    return best != nullptr && best->gain > admitted + alike ? best : nullptr;
+    return best != nullptr && best->gain > admitted + alike_within ? best : nullptr;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "input/loggers/heading_names.hpp"
+#include "input/text/characters.hpp"
 
 namespace tiretherm::input {
 

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -29,13 +27,6 @@ std::map<std::string, int, std::less<>> count_names(const std::vector<ColumnHead
 }
 
 }  // namespace
-
-std::string in_small_letters(std::string_view name) {
-    std::string small;
-    std::ranges::transform(name, std::back_inserter(small),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return small;
-}
 
 Heading read_round_heading(std::string_view text) {
     text = trim(text);

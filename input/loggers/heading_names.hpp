@@ -23,7 +23,4 @@ void number_duplicates(std::vector<ColumnHead>& heads);
 /// "Speed"|"km/h"|0|300|10.
 [[nodiscard]] Heading read_heading_of_logger(std::string_view text);
 
-/// A name in small letters.
-[[nodiscard]] std::string in_small_letters(std::string_view name);
-
 }  // namespace tiretherm::input

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "input/clock/clock_words.hpp"
-#include "input/loggers/heading_names.hpp"
 #include "input/text/characters.hpp"
 #include "input/text/column_names.hpp"
 #include "input/text/unit_text.hpp"

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "input/loggers/csv_layout.hpp"
-#include "input/loggers/heading_names.hpp"
 #include "input/text/characters.hpp"
 
 namespace tiretherm::input {

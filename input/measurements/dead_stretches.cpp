@@ -57,10 +57,10 @@ struct Piece {
     [[nodiscard]] std::size_t size() const { return end - first; }
 };
 
-class Record {
+class WatchedChannel {
 public:
-    Record(const std::vector<double>& time, const std::vector<double>& value, const Movement& movement,
-           const Happens& happens)
+    WatchedChannel(const std::vector<double>& time, const std::vector<double>& value, const Movement& movement,
+                   const Happens& happens)
         : time_(time), value_(value), movement_(movement), happens_(happens) {
         for (std::size_t i = 0; i < value.size(); ++i) {
             if (i == 0 || jumps_to(i)) {
@@ -185,7 +185,7 @@ std::vector<Stretch> dead_stretches(const std::vector<double>& time, const std::
     if (movement == movements.end() || value.size() < least_live + 1) {
         return {};
     }
-    return Record(time, value, *movement, happens).dead();
+    return WatchedChannel(time, value, *movement, happens).dead();
 }
 
 std::string sentence_of_dead(const std::vector<Stretch>& dead, const std::vector<double>& time,

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "input/loggers/heading_names.hpp"
 #include "input/text/characters.hpp"
 #include "solver/stop_signal.hpp"
 

@@ -4,6 +4,8 @@
 #include "input/text/characters.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <iterator>
 
 #include "input/text/encoding.hpp"
 
@@ -36,6 +38,13 @@ std::vector<std::string> split_characters(std::string_view text) {
         }
     }
     return characters;
+}
+
+std::string in_small_letters(std::string_view text) {
+    std::string small;
+    std::ranges::transform(text, std::back_inserter(small),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return small;
 }
 
 std::string_view trim(std::string_view text) {

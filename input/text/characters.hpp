@@ -13,6 +13,8 @@ namespace tiretherm::input {
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
+[[nodiscard]] std::string in_small_letters(std::string_view text);
+
 /// What of a text may stand in a comment or on a terminal: one line of UTF-8, control characters as blanks, other bytes as
 /// question marks.
 [[nodiscard]] std::string printable(std::string_view text);

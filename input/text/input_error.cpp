@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t widest = 110;  // characters of a source line that are shown
 constexpr int farthest = 50'000;     // columns of a line up to which it is shown
 // A file of the wrong kind has an error in each of its lines, and nobody reads more of them.
-constexpr std::size_t most_errors = 1000;
+constexpr std::size_t most_shown = 1000;
 
 /// The line and a caret under its place. A long line is cut to a window about the place.
 std::string underlined(const InputError& error) {
@@ -251,9 +251,9 @@ std::vector<InputError> InputErrors::in_order() const {
         if (!seen.emplace(file(place.file), place.line, found->error.what).second) {
             continue;
         }
-        if (result.size() == most_errors) {
+        if (result.size() == most_shown) {
             result.push_back({.file = file(place.file),
-                              .what = fmt::format("and more errors, of which {} are shown", most_errors),
+                              .what = fmt::format("and more errors, of which {} are shown", most_shown),
                               .remedy = "correct those first",
                               .source = {}});
             break;

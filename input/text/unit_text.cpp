@@ -74,16 +74,6 @@ std::string spelt_out(std::string_view written) {
     return result;
 }
 
-namespace {
-
-std::string in_small_letters(std::string_view text) {
-    std::string small(text);
-    std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return small;
-}
-
-}  // namespace
-
 std::string_view gauge_unit_of(std::string_view absolute) {
     constexpr std::array<std::string_view, 6> pressures{"psi", "bar", "mbar", "hPa", "kPa", "MPa"};
     constexpr std::array<std::string_view, 4> marks{"(abs)", "(a)", "abs", "a"};

@@ -41,9 +41,18 @@ double Newton::bound_of_error(double s) const {
     const auto cells = static_cast<std::size_t>(system_->problem().mesh.n_cells);
     const auto bound_of_range = [&](std::size_t begin, std::size_t end) {
         std::array<double, 4> bounds{};  // side by side, so that no comparison waits for the one before
-        for (std::size_t i = begin; i < end; ++i) {
+        const auto take = [&](std::size_t i, double& most) {
             const double bound = std::abs(residual_[i]) * compliance[i];
-            bounds[i % 4] = bound > bounds[i % 4] ? bound : bounds[i % 4];
+            most = bound > most ? bound : most;
+        };
+        std::size_t i = begin;
+        for (; i + 4 <= end; i += 4) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                take(i + k, bounds[k]);
+            }
+        }
+        for (; i < end; ++i) {
+            take(i, bounds[0]);
         }
         return std::ranges::max(bounds);
     };

@@ -21,6 +21,20 @@ void add(double factor, std::span<const double> x, std::span<double> y) {
     over_nodes(y.size(), [&](std::size_t n) { y[n] += factor * x[n]; });
 }
 
+/// y += dt times the sum of share[j] q[j]
+void add_stages(double dt, std::span<const double> share, const std::vector<std::vector<double>>& q,
+                std::span<double> y) {
+    over_ranges(y.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t j = 0; j < share.size(); ++j) {
+            const double factor = dt * share[j];
+            const double* const of_stage = q[j].data();
+            for (std::size_t n = begin; n < end; ++n) {
+                y[n] += factor * of_stage[n];
+            }
+        }
+    });
+}
+
 /// Newton's tolerance beside the tolerance of a step: small enough that the error estimate does not see it.
 constexpr double newton_share = 0.05;
 }  // namespace
@@ -142,13 +156,8 @@ Stepper::Attempt Stepper::attempt_stages(double dt, bool closed, double harmless
 
     for (int i = 1; i < tableau_->stages; ++i) {
         predict(i, dt);
-        over_nodes(known_.size(), [&](std::size_t n) {
-            double known = H_[n] + now_.left[n];
-            for (int j = 0; j < i; ++j) {
-                known += dt * tableau_->a[at(i)][at(j)] * q_[at(j)][n];
-            }
-            known_[n] = known;
-        });
+        over_nodes(known_.size(), [&](std::size_t n) { known_[n] = H_[n] + now_.left[n]; });
+        add_stages(dt, std::span(tableau_->a[at(i)]).first(at(i)), q_, known_);
         Status status = newton_.solve({.s = dt * tableau_->diagonal,
                                        .known = known_,
                                        .coefficients = forcing_.stage(i),
@@ -188,13 +197,8 @@ double Stepper::estimate_left_out(double dt) {
 
 /// Filtered by A^-1, whose rows add up to at most one over the heat capacity: that bounds it without a solve.
 double Stepper::estimate_error(double dt, double harmless) {
-    over_nodes(error_heat_.size(), [&](std::size_t n) {
-        double heat = 0.0;
-        for (int i = 0; i < tableau_->stages; ++i) {
-            heat += dt * tableau_->error[at(i)] * q_[at(i)][n];
-        }
-        error_heat_[n] = heat;
-    });
+    clear_nodes(error_heat_);
+    add_stages(dt, std::span(tableau_->error).first(at(tableau_->stages)), q_, error_heat_);
     for (std::size_t n = at(problem_->mesh.n_cells); n < error_heat_.size(); ++n) {
         error_heat_[n] = system_.has_capacity(n) ? error_heat_[n] : 0.0;
     }

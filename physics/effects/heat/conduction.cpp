@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "mesh/parallel.hpp"
 #include "physics/effect.hpp"
@@ -141,13 +142,17 @@ void add_quadratic_inside(const EvaluationState& m, std::size_t begin, std::size
 }
 
 /// Faces inside one material, all with one law.
-void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t end, const Extent& extent,
+/// @param extent of the field, found where it is first asked for
+void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t end, std::optional<Extent>& extent,
                       Terms& terms) {
     const int* const node = m.active.nodes.data();
     const mesh::Face& first = m.mesh.faces[static_cast<std::size_t>(node[3 * begin])];
     const auto layer = static_cast<std::size_t>(m.mesh.layer[static_cast<std::size_t>(first.a)]);
     const Curve& k = m.material_model.materials[layer].along(first.axis);
-    if (k.is_quadratic_between(extent.low, extent.high)) {
+    if (!k.is_quadratic() && !k.is_table() && !extent) {
+        extent = extent_of(m.temperature);
+    }
+    if (k.is_quadratic() || (extent && k.is_quadratic_between(extent->low, extent->high))) {
         add_quadratic_inside(m, begin, end, k, terms);
         return;
     }
@@ -163,7 +168,7 @@ void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t e
 
 void add_terms(const EvaluationState& m, Terms& terms) {
     const std::vector<int>& groups = m.active.groups;
-    const Extent extent = extent_of(m.temperature);
+    std::optional<Extent> extent;
     for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
         add_terms_inside(m, static_cast<std::size_t>(groups[g]), static_cast<std::size_t>(groups[g + 1]), extent,
                          terms);
