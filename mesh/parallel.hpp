@@ -193,6 +193,23 @@ template <typename Range, typename Join>
     return all;
 }
 
+/// take(value, i) from begin to end in four runs side by side, so that none waits for the one before; then join(a, b) of what they give.
+template <typename Value, typename Take, typename Join>
+[[nodiscard]] Value fold_side_by_side(std::size_t begin, std::size_t end, const Value& start, const Take& take,
+                                      const Join& join) {
+    std::array<Value, 4> runs{start, start, start, start};
+    std::size_t i = begin;
+    for (; i + 4 <= end; i += 4) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            runs[k] = take(runs[k], i + k);
+        }
+    }
+    for (; i < end; ++i) {
+        runs[0] = take(runs[0], i);
+    }
+    return join(join(runs[0], runs[1]), join(runs[2], runs[3]));
+}
+
 template <typename Range>
 [[nodiscard]] double sum_over_ranges(std::size_t n, const Range& range) {
     return joined_over_ranges(n, range, [](double a, double b) { return a + b; });

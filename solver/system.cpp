@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -40,11 +41,6 @@ System::System(const Problem& problem)
             face = face_of_[at(pattern_.ba[f])] = static_cast<int>(f);
         } else {
             second_faces_.push_back(f);
-        }
-    }
-    if (ranges_of(flow_.size()) == 1) {
-        for (const mesh::Face& face : problem.mesh.faces) {
-            ends_.push_back({face.a, face.b});
         }
     }
     settle_effects();
@@ -251,13 +247,13 @@ void System::find_flow(const physics::Terms& terms, std::span<const double> T, s
         copy_nodes(terms.node_q, q);
         return;
     }
-    if (!ends_.empty()) {
+    if (ranges_of(q.size()) == 1) {  // a face at a time, where no thread shares the nodes
         std::ranges::copy(terms.node_q, q.begin());
-        for (std::size_t f = 0; f < ends_.size(); ++f) {
-            const auto [a, b] = ends_[f];
-            const double flux = terms.face_G[f] * (T[at(b)] - T[at(a)]);
-            q[at(a)] += flux;
-            q[at(b)] -= flux;
+        const double* G = terms.face_G.data();
+        for (const mesh::Face& face : problem_->mesh.faces) {
+            const double flux = *G++ * (T[at(face.b)] - T[at(face.a)]);
+            q[at(face.a)] += flux;
+            q[at(face.b)] -= flux;
         }
         return;
     }
@@ -336,17 +332,8 @@ Status System::failure_at(Outcome outcome, std::string_view why, int node, doubl
 int System::first_not_finite() const {
     // Zero times a number is zero; times what is none, it is not.
     const auto zeros = [this](std::size_t begin, std::size_t end) {
-        std::array<double, 4> sums{};
-        std::size_t i = begin;
-        for (; i + 4 <= end; i += 4) {
-            for (std::size_t k = 0; k < 4; ++k) {
-                sums[k] += 0.0 * flow_[i + k];
-            }
-        }
-        for (; i < end; ++i) {
-            sums[0] += 0.0 * flow_[i];
-        }
-        return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+        const auto add_zero = [this](double sum, std::size_t i) { return sum + 0.0 * flow_[i]; };
+        return fold_side_by_side(begin, end, 0.0, add_zero, std::plus<>());
     };
     if (sum_over_ranges(flow_.size(), zeros) == 0.0) {
         return -1;

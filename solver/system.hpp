@@ -150,7 +150,6 @@ private:
     };
     std::vector<SurfaceFace> surface_faces_;
     std::vector<int> face_of_;                   ///< [n_nonzeros] face that joins row and column; -1 on the diagonal
-    std::vector<std::array<int, 2>> ends_;       ///< [n_faces] nodes a and b, of a mesh whose loops are one range
     std::vector<std::size_t> second_faces_;      ///< between nodes that another face joins, too
     std::vector<double> mass_;                   ///< [n_nodes] kg, density * volume; 0 for surfaces and lumped nodes
     std::vector<double> lump_;                   ///< [n_nodes] J/K of a lumped node

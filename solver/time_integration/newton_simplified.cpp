@@ -4,7 +4,6 @@
 #include "solver/time_integration/newton.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "mesh/parallel.hpp"
@@ -39,24 +38,13 @@ constexpr double far = 20.0;
 double Newton::bound_of_error(double s) const {
     const std::span<const double> compliance = factors_.compliance();
     const auto cells = static_cast<std::size_t>(system_->problem().mesh.n_cells);
+    const auto larger = [](double a, double b) { return a > b ? a : b; };
     const auto bound_of_range = [&](std::size_t begin, std::size_t end) {
-        std::array<double, 4> bounds{};  // side by side, so that no comparison waits for the one before
-        const auto take = [&](std::size_t i, double& most) {
-            const double bound = std::abs(residual_[i]) * compliance[i];
-            most = bound > most ? bound : most;
+        const auto take = [&](double most, std::size_t i) {
+            return larger(std::abs(residual_[i]) * compliance[i], most);
         };
-        std::size_t i = begin;
-        for (; i + 4 <= end; i += 4) {
-            for (std::size_t k = 0; k < 4; ++k) {
-                take(i + k, bounds[k]);
-            }
-        }
-        for (; i < end; ++i) {
-            take(i, bounds[0]);
-        }
-        return std::ranges::max(bounds);
+        return fold_side_by_side(begin, end, 0.0, take, larger);
     };
-    const auto larger = [](double a, double b) { return std::max(a, b); };
     double of_cells = joined_over_ranges(cells, bound_of_range, larger);
     double of_surfaces = 0.0;
     for (std::size_t i = cells; i < residual_.size(); ++i) {

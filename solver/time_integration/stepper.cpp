@@ -27,9 +27,8 @@ void add_stages(double dt, std::span<const double> share, const std::vector<std:
     over_ranges(y.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t j = 0; j < share.size(); ++j) {
             const double factor = dt * share[j];
-            const double* const of_stage = q[j].data();
             for (std::size_t n = begin; n < end; ++n) {
-                y[n] += factor * of_stage[n];
+                y[n] += factor * q[j][n];
             }
         }
     });

@@ -70,31 +70,17 @@ struct Extent {
     double high;
 };
 
-/// Of four runs through the field at once, so that no comparison waits for the one before.
-Extent extent_of_range(std::span<const double> T) {
-    std::array<double, 4> low;
-    low.fill(T.front());
-    std::array<double, 4> high = low;
-    std::size_t i = 0;
-    for (; i + 4 <= T.size(); i += 4) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            low[k] = T[i + k] < low[k] ? T[i + k] : low[k];
-            high[k] = T[i + k] > high[k] ? T[i + k] : high[k];
-        }
-    }
-    for (; i < T.size(); ++i) {
-        low[0] = std::min(low[0], T[i]);
-        high[0] = std::max(high[0], T[i]);
-    }
-    return {std::ranges::min(low), std::ranges::max(high)};
-}
-
 Extent extent_of(std::span<const double> T) {
-    return joined_over_ranges(
-        T.size(), [&](std::size_t begin, std::size_t end) { return extent_of_range(T.subspan(begin, end - begin)); },
-        [](const Extent& a, const Extent& b) {
-            return Extent{std::min(a.low, b.low), std::max(a.high, b.high)};
-        });
+    const auto take = [&](const Extent& all, std::size_t i) {
+        return Extent{T[i] < all.low ? T[i] : all.low, T[i] > all.high ? T[i] : all.high};
+    };
+    const auto join = [](const Extent& a, const Extent& b) {
+        return Extent{std::min(a.low, b.low), std::max(a.high, b.high)};
+    };
+    const auto of_range = [&](std::size_t begin, std::size_t end) {
+        return fold_side_by_side(begin, end, Extent{T[begin], T[begin]}, take, join);
+    };
+    return joined_over_ranges(T.size(), of_range, join);
 }
 
 /// Faces inside one material whose law is one quadratic over the whole field: the bulk of the work of a section, without
