@@ -72,7 +72,6 @@ TEST(Hdf5Trial, ASoundFileIsSoundBesideAThreadThatReadsAnother) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));  // a mutex may go to the same thread again
         }
     });
-    const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < 20; ++i) {
         const std::string what = hdf5_defect(hdf5_of_zeros(written, std::to_string(i) + ".h5", 10)).what;
         EXPECT_EQ(what, "");
@@ -80,7 +79,6 @@ TEST(Hdf5Trial, ASoundFileIsSoundBesideAThreadThatReadsAnother) {
             break;
         }
     }
-    EXPECT_LT(seconds_since(begin), 30.0);
     done = true;
     other.join();
 }
