@@ -68,6 +68,16 @@ TEST(Parallel, SumsHaveTheSameDigitsForAnyNumberOfThreads) {
     EXPECT_NE(*sums.begin(), std::accumulate(terms.begin(), terms.end(), 0.0));  // else the order would not show
 }
 
+// 0 to n - 1 are summed without rounding: n (n - 1)/2, whatever is left over behind the last four.
+TEST(Parallel, AFoldSideBySideTakesEachOnce) {
+    const auto take = [](double sum, std::size_t i) { return sum + static_cast<double>(i); };
+    const auto join = [](double a, double b) { return a + b; };
+    for (const std::size_t n : {0UL, 1UL, 3UL, 4UL, 5UL, 1023UL}) {
+        const auto terms = static_cast<double>(n);
+        EXPECT_EQ(fold_side_by_side(0, n, 0.0, take, join), n == 0 ? 0.0 : 0.5 * terms * (terms - 1.0)) << n;
+    }
+}
+
 TEST(Parallel, LargestIsTheFirstOfThoseThatAreEqual) {
     std::vector<double> values(50000, 1.0);
     values[700] = values[40000] = 2.0;

@@ -135,10 +135,10 @@ void add_terms_inside(const EvaluationState& m, std::size_t begin, std::size_t e
     const mesh::Face& first = m.mesh.faces[static_cast<std::size_t>(node[3 * begin])];
     const auto layer = static_cast<std::size_t>(m.mesh.layer[static_cast<std::size_t>(first.a)]);
     const Curve& k = m.material_model.materials[layer].along(first.axis);
-    if (!k.is_quadratic() && !k.is_table() && !extent) {
+    if (!k.is_quadratic() && !extent) {
         extent = extent_of(m.temperature);
     }
-    if (k.is_quadratic() || (extent && k.is_quadratic_between(extent->low, extent->high))) {
+    if (k.is_quadratic() || k.is_quadratic_between(extent->low, extent->high)) {
         add_quadratic_inside(m, begin, end, k, terms);
         return;
     }
