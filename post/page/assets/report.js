@@ -53,9 +53,9 @@
           } });
         continue;
       }
-      const points = s.role === "points";
+      const points = s.role === "points", many = points && s.points.length > 300;  // drawn as one shape
       made.push({ type: points ? "scatter" : "line", name: s.name, xAxisIndex: index, yAxisIndex: index, data: s.points,
-        symbol: points ? "circle" : "none", symbolSize: 5, itemStyle: { color: of, opacity: points ? (s.points.length > 300 ? 0.3 : 0.75) : 1 },
+        large: many, largeThreshold: 0, showSymbol: false, symbol: many ? "rect" : points ? "circle" : "none", symbolSize: many ? 4 : 5, itemStyle: { color: of, opacity: many ? 0.35 : points ? 0.75 : 1 },
         lineStyle: { color: of, width: s.role === "line" ? 1.8 : s.role === "faint" ? 0.8 : 1.5, opacity: s.role === "line" ? 1 : s.role === "faint" ? 0.35 : 0.75, type: s.role === "dashed" ? [7, 4] : s.role === "dotted" ? [2, 3] : dash }, z: points ? 2 : 3 });
     }
     for (const mark of panel.marks || []) {
@@ -96,7 +96,7 @@
   function lines(data, look, width, places, picks) {
     data.roomy = width >= 560;
     const names = [...new Set(data.panels.flatMap((panel) => panel.series.map((s) => s.name)))];
-    const drawn = new Map(data.panels.flatMap((panel) => panel.series.map((s) => [s.name, ["points", "range", "band"].includes(s.role) ? "mark" : "line"])));
+    const roles = new Map(data.panels.flatMap((panel) => panel.series.map((s) => [s.name, s.role])));
     const printing = document.body.classList.contains("printing");
     const small = !data.roomy, gap = 34, left = numberRoom + 36, right = 22, foot = printing ? 54 : 96;  // room for the zoom, which paper has not
     const legendLeft = small ? 4 : left;
@@ -126,7 +126,8 @@
     const all = data.panels.map((_, i) => i);
     Object.assign(option, {
       legend: { show: !picks, top: 2, left: legendLeft, right, itemWidth: 28, textStyle: { color: look.ink },
-        data: names.map((name) => ({ name, itemStyle: { opacity: drawn.get(name) === "line" ? 0 : 1 } })) },
+        data: names.map((name) => ({ name, ...(roles.get(name) === "points" ? { icon: "circle" } : {}),
+          itemStyle: { opacity: ["points", "range", "band"].includes(roles.get(name)) ? 1 : 0 } })) },
       tooltip: { trigger: "axis", confine: true, valueFormatter: number },
       axisPointer: { link: [{ xAxisIndex: "all" }] },
       dataZoom: [{ type: "inside", xAxisIndex: all, filterMode: "none", zoomOnMouseWheel: "ctrl", moveOnMouseMove: true },
@@ -192,12 +193,12 @@
     const renderer = chart.data.times ? "canvas" : "svg";
     chart.echart = window.echarts.getInstanceByDom(chart.plot) || window.echarts.init(chart.plot, null, { renderer });
     chart.echart.resize({ width: chart.plot.clientWidth, height: Math.round(height) });
-    const zoom = chart.data.kind === "lines" && chart.drawn ? chart.echart.getOption().dataZoom[0] : null;
+    if (chart.data.kind === "lines" && chart.drawn) {
+      const { start, end } = chart.echart.getOption().dataZoom[0];
+      option.dataZoom.forEach((zoom) => Object.assign(zoom, { start, end }));
+    }
     chart.echart.setOption({ animation: false, aria: { enabled: true }, backgroundColor: "transparent",
       textStyle: { fontFamily: getComputedStyle(document.body).fontFamily }, ...option }, { notMerge: true });
-    if (zoom) {
-      chart.echart.dispatchAction({ type: "dataZoom", start: zoom.start, end: zoom.end });
-    }
     if (chart.picks) {
       showPicks(chart, look);
     }
