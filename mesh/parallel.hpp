@@ -16,9 +16,11 @@
 
 namespace tiretherm {
 
-/// Threads for n tasks. @param wanted 0: as many as OpenMP gives (OMP_NUM_THREADS, or all cores)
+/// Threads for n tasks; inside a task there is one. @param wanted 0: as many as OpenMP gives (OMP_NUM_THREADS, or all cores)
 [[nodiscard]] inline int threads_for(std::size_t n, unsigned wanted = 0) {
-    const auto most = wanted > 0 ? wanted : static_cast<std::size_t>(omp_get_max_threads());
+    const auto most = omp_in_parallel() != 0 ? 1
+                      : wanted > 0           ? wanted
+                                             : static_cast<std::size_t>(omp_get_max_threads());
     return static_cast<int>(std::clamp<std::size_t>(n, 1, most));
 }
 

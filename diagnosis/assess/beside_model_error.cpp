@@ -206,7 +206,8 @@ void accept_unknown_source(DiagnosisState& state) {
     }
     score_data.say({.doing = Work::unknown_source});
     const auto k = static_cast<Eigen::Index>(state.unknown.term);
-    state.unknown_fit = fit_unknown_source(score_data, state.unknown.term, score_data.unknown_scores.amplitude(k));
+    state.unknown_fit =
+        counted(score_data, fit_unknown_source(score_data, state.unknown.term, score_data.unknown_scores.amplitude(k)));
     if (state.unknown_fit.sound && unknown_source_beats(state, state.search->base.out)) {
         state.verdict = Verdict::unknown;
         state.search.reset();

@@ -53,7 +53,7 @@ void bound(const ScoreTestData& score_data, FittedHypothesis& one) {
 }
 
 /// @param turns of Gauss and Newton at most
-void fit_from(ScoreTestData& score_data, const Values& from, const Covariance& noise, int turns,
+void fit_from(const ScoreTestData& score_data, const Values& from, const Covariance& noise, int turns,
               FittedHypothesis& one) {
     bound(score_data, one);
     Fit fit(one.model, *score_data.observations);
@@ -64,7 +64,7 @@ void fit_from(ScoreTestData& score_data, const Values& from, const Covariance& n
     } else {
         one.fit.status = fit.now().status;
     }
-    score_data.count(fit.simulator().simulations());
+    one.simulations += fit.simulator().simulations();
     one.sound = one.fit.status.ok() && one.fit.values.size() > 0;
 }
 
@@ -89,7 +89,7 @@ std::optional<std::size_t> to_be_left_out(const ScoreTestData& score_data, const
 
 }  // namespace
 
-FittedHypothesis extended(ScoreTestData& score_data, const FittedHypothesis& from,
+FittedHypothesis extended(const ScoreTestData& score_data, const FittedHypothesis& from,
                           const std::vector<std::size_t>& added, const std::vector<double>& amplitudes,
                           const Covariance& noise) {
     std::vector<std::size_t> causes = from.candidates;
@@ -111,7 +111,9 @@ FittedHypothesis extended(ScoreTestData& score_data, const FittedHypothesis& fro
     std::optional<std::size_t> misfit;
     while (one.sound && (misfit = to_be_left_out(score_data, one, from.candidates.size())) &&
            one.candidates.size() > from.candidates.size() + 1) {
+        const long before = one.simulations;
         one = reduced(score_data, one, *misfit, noise);
+        one.simulations += before;
     }
     if (!one.sound) {
         return one;
@@ -124,7 +126,7 @@ FittedHypothesis extended(ScoreTestData& score_data, const FittedHypothesis& fro
     return one;
 }
 
-FittedHypothesis reduced(ScoreTestData& score_data, const FittedHypothesis& from, std::size_t cause,
+FittedHypothesis reduced(const ScoreTestData& score_data, const FittedHypothesis& from, std::size_t cause,
                          const Covariance& noise) {
     Values values = values_of(score_data, from);
     std::vector<std::size_t> causes = from.candidates;
@@ -138,14 +140,14 @@ FittedHypothesis reduced(ScoreTestData& score_data, const FittedHypothesis& from
     return one;
 }
 
-FittedHypothesis refitted(ScoreTestData& score_data, const FittedHypothesis& from, const Covariance& noise) {
+FittedHypothesis refitted(const ScoreTestData& score_data, const FittedHypothesis& from, const Covariance& noise) {
     FittedHypothesis one = unfitted(score_data, from.candidates);
     fit_from(score_data, values_of(score_data, from), noise, many_turns, one);
     one.admissible = one.sound;
     return one;
 }
 
-FittedHypothesis as_it_stands(ScoreTestData& score_data, const Covariance& noise) {
+FittedHypothesis as_it_stands(const ScoreTestData& score_data, const Covariance& noise) {
     FittedHypothesis one = unfitted(score_data, {});
     const Simulator simulator(one.model, *score_data.observations);
     Values values;

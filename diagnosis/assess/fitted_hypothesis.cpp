@@ -9,6 +9,8 @@
 
 #include <Eigen/LU>
 
+#include "mesh/parallel.hpp"
+
 namespace tiretherm::diagnosis {
 
 namespace {
@@ -72,9 +74,12 @@ void keep_likely(std::vector<LinearisedGain>& estimates, std::size_t most) {
 }
 
 std::vector<FittedHypothesis> fit_all(ScoreTestData& score_data, const std::vector<LinearisedGain>& estimates) {
-    std::vector<FittedHypothesis> found;
-    for (const LinearisedGain& estimate : estimates) {
-        found.push_back(fit_hypothesis(score_data, estimate.candidates, estimate.amplitudes));
+    std::vector<FittedHypothesis> found(estimates.size());
+    in_parallel(estimates.size(), [&](std::size_t i) {
+        found[i] = fit_hypothesis(score_data, estimates[i].candidates, estimates[i].amplitudes);
+    });
+    for (const FittedHypothesis& one : found) {
+        score_data.count(one.simulations);
     }
     std::ranges::stable_sort(found, std::greater{}, &FittedHypothesis::gain);
     return found;
@@ -110,7 +115,7 @@ bool is_rest_insignificant(const FittedHypothesis& one, const ScoreTestData& sco
 }
 
 /// Fits a model whose numbers after the experiment's start at `from`; what lies beyond stays where it is.
-void fit_model(ScoreTestData& score_data, const Eigen::VectorXd& from, FittedHypothesis& one) {
+void fit_model(const ScoreTestData& score_data, const Eigen::VectorXd& from, FittedHypothesis& one) {
     Fit fit(one.model, *score_data.observations);
     fit.simulator().take_steps(score_data.steps);
     fit.take_covariance(score_data.noise);
@@ -123,7 +128,7 @@ void fit_model(ScoreTestData& score_data, const Eigen::VectorXd& from, FittedHyp
     } else {
         one.fit.status = fit.now().status;
     }
-    score_data.count(fit.simulator().simulations());
+    one.simulations += fit.simulator().simulations();
     one.sound = one.fit.status.ok() && one.fit.converged;
     if (!one.fit.status.ok()) {
         return;
@@ -152,6 +157,11 @@ bool are_all_needed(const FittedHypothesis& one, const std::vector<Candidate>& o
 }
 
 }  // namespace
+
+FittedHypothesis counted(ScoreTestData& score_data, FittedHypothesis one) {
+    score_data.count(one.simulations);
+    return one;
+}
 
 Eigen::Index FittedHypothesis::number_of(std::size_t i) const {
     const auto n = static_cast<Eigen::Index>(candidates.size());
@@ -192,7 +202,7 @@ FittedHypothesis unfitted(const ScoreTestData& score_data, const std::vector<std
     return one;
 }
 
-FittedHypothesis fit_hypothesis(ScoreTestData& score_data, const std::vector<std::size_t>& candidates,
+FittedHypothesis fit_hypothesis(const ScoreTestData& score_data, const std::vector<std::size_t>& candidates,
                                 const std::vector<double>& amplitudes) {
     FittedHypothesis one = unfitted(score_data, candidates);
     std::vector<Candidate> on;
@@ -235,7 +245,7 @@ solver::UserEffect user_effect(const ScoreTestData& score_data, std::size_t term
     return effect;
 }
 
-FittedHypothesis fit_unknown_source(ScoreTestData& score_data, std::size_t term, double watts) {
+FittedHypothesis fit_unknown_source(const ScoreTestData& score_data, std::size_t term, double watts) {
     FittedHypothesis one;
     const UnknownTerm& unknown = score_data.unknowns.terms[term];
     if (unknown.sensor) {

@@ -24,11 +24,15 @@ struct FittedHypothesis {
     bool admissible = false;
     bool plausible = true;  ///< every size is one that an engineer would believe: otherwise it is never alone in a set
 
+    long simulations = 0;     ///< that its fit took
     Eigen::Index n_held = 0;  ///< numbers that causes hold on trial, free after all others
 
     /// Index of a cause's number among the fitted ones. @param i index into `candidates`
     [[nodiscard]] Eigen::Index number_of(std::size_t i) const;
 };
+
+/// The same, its simulations counted. Fits do not count their own: several may be made at a time, and some for nothing.
+[[nodiscard]] FittedHypothesis counted(ScoreTestData& score_data, FittedHypothesis one);
 
 /// Where the numbers of causes start, from where they are absent. A lag and a delay of one sensor have the same signature there: only their
 /// sum is known, and an estimate may take a long lag and a clock that is early. Each takes half of the sum.
@@ -39,7 +43,8 @@ struct FittedHypothesis {
 /// Causes switched on, their numbers free, not fitted yet.
 [[nodiscard]] FittedHypothesis unfitted(const ScoreTestData& score_data, const std::vector<std::size_t>& candidates);
 /// Switches causes on and fits. @param amplitudes where their numbers start
-[[nodiscard]] FittedHypothesis fit_hypothesis(ScoreTestData& score_data, const std::vector<std::size_t>& candidates,
+[[nodiscard]] FittedHypothesis fit_hypothesis(const ScoreTestData& score_data,
+                                              const std::vector<std::size_t>& candidates,
                                               const std::vector<double>& amplitudes);
 
 /// Every cause alone that the linearised model does not rule out, fitted: the most likely first.
@@ -49,7 +54,7 @@ struct FittedHypothesis {
 
 /// Heat that no effect of the catalogue is, as a source of the user's own at a place, following a signal or over a window
 /// of one run; fitted in full. Its number, W, comes after the experiment's. Sensors have no such model: not sound.
-[[nodiscard]] FittedHypothesis fit_unknown_source(ScoreTestData& score_data, std::size_t term, double watts);
+[[nodiscard]] FittedHypothesis fit_unknown_source(const ScoreTestData& score_data, std::size_t term, double watts);
 /// What is switched on for it in a run.
 [[nodiscard]] solver::UserEffect user_effect(const ScoreTestData& score_data, std::size_t term, std::size_t run);
 

@@ -13,6 +13,7 @@
 #include "diagnosis/assess/extension.hpp"
 #include "diagnosis/assess/tried_additions.hpp"
 #include "diagnosis/noise/white_equivalent.hpp"
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -121,6 +122,42 @@ void remark_on_end(const ScoreTestData& score_data, const FittedHypothesis& one,
     }
 }
 
+/// Fits of additions, some of them made before their turn, where a thread is free for them.
+class FitsAhead {
+public:
+    /// @param additions in the order of their turns  @param all live longer
+    FitsAhead(const ScoreTestData& score_data, const PredictedModel& now, const LinearPrediction& linear,
+              const std::vector<CauseGroup>& additions)
+        : score_data_(score_data), now_(now), linear_(linear), additions_(additions), fits_(additions.size()) {}
+
+    /// @param i whose turn it is  @param is_next whether one of the others is likely to be fitted as well
+    template <typename IsNext>
+    [[nodiscard]] FittedHypothesis take(std::size_t i, const IsNext& is_next) {
+        if (!fits_[i]) {
+            std::vector<std::size_t> chosen{i};
+            for (std::size_t k = i + 1; k < additions_.size(); ++k) {
+                if (!fits_[k] && static_cast<std::size_t>(threads_for(chosen.size() + 1)) > chosen.size() &&
+                    is_next(additions_[k], chosen.size())) {
+                    chosen.push_back(k);
+                }
+            }
+            in_parallel(chosen.size(), [&](std::size_t c) {
+                const std::vector<std::size_t>& added = additions_[chosen[c]].candidates;
+                fits_[chosen[c]] = extended(score_data_, now_.hypothesis, added,
+                                            linear_.amplitudes({added.begin(), added.end()}), now_.noise);
+            });
+        }
+        return std::move(*fits_[i]);
+    }
+
+private:
+    const ScoreTestData& score_data_;
+    const PredictedModel& now_;
+    const LinearPrediction& linear_;
+    const std::vector<CauseGroup>& additions_;
+    std::vector<std::optional<FittedHypothesis>> fits_;
+};
+
 /// Fits additions until enough of them are admissible: timing, which is no line in its size and so promised too little of, then those
 /// that are promised most of. What ends at the end of what is plausible is set aside. @returns the best first
 std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now, FittedGroups& done,
@@ -134,8 +171,13 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
     std::size_t fitted = 0;
     std::size_t admissible = 0;
     double best = 0.0;
-    for (const CauseGroup& addition : additions) {
-        const bool always = addition.is_timing && !done.dull.contains(addition.candidates);
+    FitsAhead fits(score_data, now, linear, additions);
+    const auto is_always = [&](const CauseGroup& one) {
+        return one.is_timing && !done.dull.contains(one.candidates) && !done.now.contains(one.candidates);
+    };
+    for (std::size_t i = 0; i < additions.size(); ++i) {
+        const CauseGroup& addition = additions[i];
+        const bool always = is_always(addition);
         if (done.now.contains(addition.candidates)) {
             continue;
         }
@@ -151,9 +193,15 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
                         .of = name_of(score_data.candidates[addition.candidates.front()], *score_data.experiment),
                         .number = fitted + 1,
                         .count = effort.fitted});
-        Trial trial{.hypothesis = extended(score_data, now.hypothesis, addition.candidates,
-                                           linear.amplitudes({addition.candidates.begin(), addition.candidates.end()}),
-                                           now.noise)};
+        // Of the others as many as may still be fitted, if what is promised of this one does not make them needless.
+        const auto is_next = [&](const CauseGroup& other, std::size_t chosen) {
+            return always ? is_always(other)
+                          : chosen < std::min(effort.fitted - fitted, effort.admissible - admissible) &&
+                                !done.now.contains(other.candidates) &&
+                                other.promised >= std::max(least_promised * least_removed,
+                                                           worth_a_fit * std::max(best, addition.promised));
+        };
+        Trial trial{.hypothesis = counted(score_data, fits.take(i, is_next))};
         done.now.insert(addition.candidates);
         done.dull.insert(addition.candidates);
         fitted += always ? 0 : 1;
@@ -197,7 +245,8 @@ std::optional<PredictedModel> swapped(ScoreTestData& score_data, const Predicted
         if (share_removed(before, linear.with(columns)) < least_removed) {
             return std::nullopt;
         }
-        FittedHypothesis other = extended(score_data, less, addition.candidates, linear.amplitudes(columns), now.noise);
+        FittedHypothesis other =
+            counted(score_data, extended(score_data, less, addition.candidates, linear.amplitudes(columns), now.noise));
         if (other.sound && other.admissible) {
             PredictedModel model = predicted(score_data, std::move(other), now.noise);
             return model.out.ok && is_improvement(gain_over(now, model, score_data)) ? std::optional(std::move(model))
@@ -215,7 +264,7 @@ bool look_back(ScoreTestData& score_data, PredictionSearch& search) {
     const LinearPrediction::MeanSquares before = linear_beside(score_data, now.hypothesis, now.noise, false).with({});
     for (std::size_t cause = 0; n > 1 && cause < n; ++cause) {
         score_data.say({.doing = Work::looking_back});
-        FittedHypothesis fewer = reduced(score_data, now.hypothesis, cause, now.noise);
+        FittedHypothesis fewer = counted(score_data, reduced(score_data, now.hypothesis, cause, now.noise));
         if (!fewer.sound) {
             continue;
         }
@@ -254,7 +303,7 @@ PredictedModel settled(ScoreTestData& score_data, PredictedModel model) {
     if (model.base != BaseModel::as_it_stands && is_white && most < about_the_same * least) {
         return model;
     }
-    FittedHypothesis again = refitted(score_data, model.hypothesis, noise);
+    FittedHypothesis again = counted(score_data, refitted(score_data, model.hypothesis, noise));
     if (!again.sound) {
         return model;
     }
@@ -294,7 +343,7 @@ PredictionSearch choose_base(ScoreTestData& score_data) {
     std::optional<PredictedModel> white;
     Covariance even = alike(slow, observations);
     for (int turn = 0; turn < 2; ++turn) {
-        FittedHypothesis flat = refitted(score_data, white ? white->hypothesis : slow, even);
+        FittedHypothesis flat = counted(score_data, refitted(score_data, white ? white->hypothesis : slow, even));
         if (!flat.sound) {
             break;
         }
@@ -305,7 +354,7 @@ PredictionSearch choose_base(ScoreTestData& score_data) {
         white->out = predicted(score_data, white->hypothesis, white->noise).out;
     }
     const Covariance& its_noise = white ? white->noise : even;
-    FittedHypothesis plain = as_it_stands(score_data, its_noise);
+    FittedHypothesis plain = counted(score_data, as_it_stands(score_data, its_noise));
     PredictedModel stands = predicted(score_data, std::move(plain), its_noise, false);
     stands.base = BaseModel::as_it_stands;
 

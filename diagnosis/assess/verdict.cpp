@@ -122,8 +122,8 @@ void take(DiagnosisState& found, std::vector<const FittedHypothesis*> set) {
 void look_into_unknown(DiagnosisState& found) {
     if (found.unknown.z != 0.0) {
         const auto k = static_cast<Eigen::Index>(found.unknown.term);
-        found.unknown_fit =
-            fit_unknown_source(found.score_data, found.unknown.term, found.score_data.unknown_scores.amplitude(k));
+        found.unknown_fit = counted(found.score_data, fit_unknown_source(found.score_data, found.unknown.term,
+                                                                         found.score_data.unknown_scores.amplitude(k)));
     }
 }
 

@@ -4,8 +4,11 @@
 #include "diagnosis/by_run/run_verdicts.hpp"
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 #include <utility>
 
+#include "mesh/parallel.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::diagnosis {
@@ -63,11 +66,12 @@ input::Experiment single_run(const input::Experiment& experiment, std::size_t ru
 }
 
 RunVerdicts diagnose_by_run(const input::Experiment& experiment, const DiagnosisOptions& choice) {
-    RunVerdicts verdicts;
-    for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    std::vector<std::optional<RunVerdict>> found(experiment.runs.size());
+    std::mutex one_at_a_time;
+    std::vector<bool> through(found.size(), false);
+    in_parallel(found.size(), [&](std::size_t r) {
         if (solver::stop_requested()) {
-            verdicts.left_out = LeftOutRuns::stopped_after;
-            break;
+            return;
         }
         const std::string& name = experiment.runs[r].name;
         const input::Experiment one = single_run(experiment, r);
@@ -85,12 +89,25 @@ RunVerdicts diagnose_by_run(const input::Experiment& experiment, const Diagnosis
         }
         if (choice.progress) {
             options.progress = [&](const Activity& stage, long simulations) {
-                Activity of_run = stage;
-                of_run.run = name;
-                choice.progress(of_run, simulations);
+                const std::scoped_lock lock(one_at_a_time);
+                if (std::ranges::find(through, false) - through.begin() == static_cast<std::ptrdiff_t>(r)) {
+                    Activity of_run = stage;
+                    of_run.run = name;
+                    choice.progress(of_run, simulations);
+                }
             };
         }
-        verdicts.runs.push_back(verdict_of(name, diagnose(one, observe(one), options)));
+        found[r] = verdict_of(name, diagnose(one, observe(one), options));
+        const std::scoped_lock lock(one_at_a_time);
+        through[r] = true;
+    });
+    RunVerdicts verdicts;
+    for (std::optional<RunVerdict>& one : found) {
+        if (!one) {  // they are begun in their order
+            verdicts.left_out = LeftOutRuns::stopped_after;
+            break;
+        }
+        verdicts.runs.push_back(std::move(*one));
     }
     return verdicts;
 }

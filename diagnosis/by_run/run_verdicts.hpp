@@ -27,7 +27,6 @@ struct RunVerdict {
     }
 };
 
-/// The verdicts of all runs, in their order.
 /// Why runs were left out of a diagnosis of each alone.
 enum class LeftOutRuns : std::uint8_t {
     none,            ///< all are there
@@ -36,6 +35,7 @@ enum class LeftOutRuns : std::uint8_t {
     stopped_after    ///< those that are there were through when an end was asked for
 };
 
+/// The verdicts of all runs, in their order.
 struct RunVerdicts {
     std::vector<RunVerdict> runs;  ///< empty where they were left out
     LeftOutRuns left_out = LeftOutRuns::none;
@@ -47,8 +47,8 @@ struct RunVerdicts {
 /// One run of an experiment: the numbers of other runs are gone, and instruments of which it reads fewer than two sensors.
 [[nodiscard]] input::Experiment single_run(const input::Experiment& experiment, std::size_t run);
 
-/// Diagnoses run after run with the same options, but plans no next experiment. An end that is asked for ends the run at
-/// hand and leaves out the rest. @param choice of the diagnosis of all runs; its meshes are those of all runs
+/// Diagnoses each run with the same options, several at a time, but plans no next experiment. An end that is asked for ends
+/// the runs at hand and leaves out the rest. Progress is that of the first run that is not through. @param choice of the diagnosis of all runs; its meshes are those of all runs
 [[nodiscard]] RunVerdicts diagnose_by_run(const input::Experiment& experiment, const DiagnosisOptions& choice);
 
 /// Where the diagnosis of all runs took longer, that of each run is left out unless it is asked for.

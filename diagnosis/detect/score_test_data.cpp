@@ -4,14 +4,17 @@
 
 #include "diagnosis/detect/score_test_data.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
 #include "diagnosis/fit/refinement.hpp"
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -43,8 +46,9 @@ bool brings_a_node(const Candidate& candidate) {
     return heat != nullptr && heat->extend != nullptr;
 }
 
-/// Slopes of some candidates, all in one run, into their columns. @param chosen indices
-void take_slopes(const input::Experiment& still, std::span<const std::size_t> chosen, ScoreTestData& score_data) {
+/// Slopes of some candidates, all in one run, into their columns. @param chosen indices  @returns simulations
+long take_slopes(const input::Experiment& still, std::span<const std::size_t> chosen, const ScoreTestData& score_data,
+                 Eigen::MatrixXd& signatures) {
     std::vector<Candidate> linear;
     std::vector<double> absent;
     for (const std::size_t k : chosen) {
@@ -55,52 +59,66 @@ void take_slopes(const input::Experiment& still, std::span<const std::size_t> ch
     Simulator all(wide, *score_data.observations);
     all.take_steps(score_data.steps);
     const ModelPrediction& slopes = all.at(all.start());
-    score_data.count(all.simulations());
     for (std::size_t i = 0; i < chosen.size() && slopes.status.ok(); ++i) {
-        score_data.signatures.col(static_cast<Eigen::Index>(chosen[i])) =
-            slopes.slope.col(static_cast<Eigen::Index>(i));
+        signatures.col(static_cast<Eigen::Index>(chosen[i])) = slopes.slope.col(static_cast<Eigen::Index>(i));
     }
+    return all.simulations();
+}
+
+/// The difference that one candidate makes, into its column. @returns simulations
+long take_difference(const input::Experiment& still, std::size_t k, const Eigen::VectorXd& simulated,
+                     const ScoreTestData& score_data, Eigen::MatrixXd& signatures) {
+    const Candidate& candidate = score_data.candidates[k];
+    input::Experiment moved = with(still, {candidate}, {candidate.trial});
+    moved.parameters.clear();
+    Simulator one(moved, *score_data.observations);
+    one.take_steps(score_data.steps);
+    if (const ModelPrediction& there = one.at(one.start()); there.status.ok()) {
+        signatures.col(static_cast<Eigen::Index>(k)) =
+            (there.simulated - simulated) / (candidate.trial - candidate.absent);
+    }
+    return one.simulations();
 }
 
 /// Signatures of the candidates: slopes together, differences one by one. A candidate whose model fails has none.
 void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simulated, ScoreTestData& score_data) {
     std::vector<std::size_t> on_the_mesh;
     std::vector<std::size_t> with_nodes;
+    std::vector<std::size_t> alone;
     for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
         if (const Candidate& candidate = score_data.candidates[k]; candidate.by_slope()) {
             (brings_a_node(candidate) ? with_nodes : on_the_mesh).push_back(k);
+        } else {
+            alone.push_back(k);
         }
     }
     score_data.signatures.setZero(simulated.size(), static_cast<Eigen::Index>(score_data.candidates.size()));
     const bool is_small = still.runs.front().problem.mesh.n_nodes <= few_nodes;
+    std::vector<std::span<const std::size_t>> together;
     for (const std::vector<std::size_t>* chosen : {&on_the_mesh, &with_nodes}) {
         const std::size_t parts = is_small ? (chosen->size() + most_together - 1) / most_together : 1;
         for (std::size_t part = 0; part < parts && !chosen->empty(); ++part) {
             const std::size_t first = part * chosen->size() / parts;
             const std::size_t last = (part + 1) * chosen->size() / parts;
-            take_slopes(still, std::span(*chosen).subspan(first, last - first), score_data);
+            together.push_back(std::span(*chosen).subspan(first, last - first));
         }
     }
-    std::size_t simulated_alone = 0;
-    const auto by_slope = static_cast<std::size_t>(std::ranges::count_if(score_data.candidates, &Candidate::by_slope));
-    for (std::size_t k = 0; k < score_data.candidates.size(); ++k) {
-        const Candidate& candidate = score_data.candidates[k];
-        auto column = score_data.signatures.col(static_cast<Eigen::Index>(k));
-        if (candidate.by_slope()) {
-            continue;
-        }
+    std::vector<long> simulations(std::max(together.size(), alone.size()));
+    in_parallel(together.size(), [&](std::size_t i) {
+        simulations[i] = take_slopes(still, together[i], score_data, score_data.signatures);
+    });
+    score_data.count(std::accumulate(simulations.begin(), simulations.end(), 0L));
+    const auto at_once = static_cast<std::size_t>(threads_for(alone.size()));
+    for (std::size_t first = 0; first < alone.size(); first += at_once) {
         score_data.say({.doing = Work::signature,
-                        .of = name_of(candidate, *score_data.experiment),
-                        .number = ++simulated_alone,
-                        .count = score_data.candidates.size() - by_slope});
-        input::Experiment moved = with(still, {candidate}, {candidate.trial});
-        moved.parameters.clear();
-        Simulator one(moved, *score_data.observations);
-        one.take_steps(score_data.steps);
-        if (const ModelPrediction& there = one.at(one.start()); there.status.ok()) {
-            column = (there.simulated - simulated) / (candidate.trial - candidate.absent);
-        }
-        score_data.count(one.simulations());
+                        .of = name_of(score_data.candidates[alone[first]], *score_data.experiment),
+                        .number = first + 1,
+                        .count = alone.size()});
+        simulations.assign(std::min(at_once, alone.size() - first), 0);
+        in_parallel(simulations.size(), [&](std::size_t i) {
+            simulations[i] = take_difference(still, alone[first + i], simulated, score_data, score_data.signatures);
+        });
+        score_data.count(std::accumulate(simulations.begin(), simulations.end(), 0L));
     }
 }
 
@@ -190,9 +208,6 @@ void ScoreTestData::take_noise(Covariance found, Refit refitted) {
     unknown_columns = whitened(*this, unknowns.columns);
     scores = scores_after(base);
     unknown_scores = unknown_scores_after(base);
-    threshold = family_threshold(scores.correlation, sign, chance);
-    unknown_threshold =
-        family_threshold(unknown_scores.correlation, Eigen::VectorXi::Zero(unknown_scores.z.size()), chance);
     pairs.clear();
     for (Eigen::Index b = 0; b < scores.z.size(); ++b) {
         for (Eigen::Index a = 0; a < b; ++a) {
@@ -204,7 +219,17 @@ void ScoreTestData::take_noise(Covariance found, Refit refitted) {
             }
         }
     }
-    pair_threshold = diagnosis::pair_threshold(scores.correlation, sign, pairs, chance);
+    // The longest first.
+    in_parallel(3, [&](std::size_t which) {
+        if (which == 0) {
+            unknown_threshold =
+                family_threshold(unknown_scores.correlation, Eigen::VectorXi::Zero(unknown_scores.z.size()), chance);
+        } else if (which == 1) {
+            pair_threshold = diagnosis::pair_threshold(scores.correlation, sign, pairs, chance);
+        } else {
+            threshold = family_threshold(scores.correlation, sign, chance);
+        }
+    });
 }
 
 ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Observations& observations,
