@@ -10,17 +10,17 @@
 #include <cstdint>
 #include <exception>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <omp.h>
 
 namespace tiretherm {
 
-/// Threads for n tasks; inside a task there is one. @param wanted 0: as many as OpenMP gives (OMP_NUM_THREADS, or all cores)
+/// Threads for n tasks; inside a task, those that all tasks share. @param wanted 0: as many as OpenMP gives (OMP_NUM_THREADS, or all cores)
 [[nodiscard]] inline int threads_for(std::size_t n, unsigned wanted = 0) {
-    const auto most = omp_in_parallel() != 0 ? 1
-                      : wanted > 0           ? wanted
-                                             : static_cast<std::size_t>(omp_get_max_threads());
+    const int all = omp_in_parallel() != 0 ? omp_get_num_threads() : omp_get_max_threads();
+    const auto most = wanted > 0 && omp_in_parallel() == 0 ? wanted : static_cast<std::size_t>(all);
     return static_cast<int>(std::clamp<std::size_t>(n, 1, most));
 }
 
@@ -29,8 +29,9 @@ namespace tiretherm {
 inline thread_local void* of_computation = nullptr;
 
 /// Does something n times, several at a time, each begun when a thread is free, in the order of its number. What it throws
-/// first is thrown here when all that had been begun has ended; nothing more is begun then. Where there is one thread for
-/// all because there is one task, the task may split its loops.
+/// first is thrown here when all that had been begun has ended; nothing more is begun then. A task may have tasks of its own,
+/// which are shared with threads that have nothing else to do. Where there is one thread for all because there is one task,
+/// the task may split its loops.
 /// @param threads as in `threads_for`; more are not used inside the tasks either
 template <typename Work>
 void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
@@ -38,7 +39,8 @@ void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
     std::exception_ptr thrown;
     void* const computation = of_computation;
     const auto work_on = [&] {
-        of_computation = computation;
+        void* const before =
+            std::exchange(of_computation, computation);  // whoever waits for its own tasks may take one of another's
         for (std::size_t i = next++; i < n; i = next++) {
             try {
                 work(i);
@@ -48,17 +50,31 @@ void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
                 next = n;
             }
         }
+        of_computation = before;
     };
     const int team = threads_for(n, threads);
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(threads > 0 ? static_cast<int>(threads) : before);
-    if (team == 1) {  // NOLINT(bugprone-branch-clone): the other branch is a parallel region
+    const auto share_out = [&] {
+        for (int helper = 1; helper < team; ++helper) {
+#pragma omp task default(shared)
+            work_on();
+        }
         work_on();
+    };
+    if (omp_in_parallel() != 0) {
+        share_out();
+#pragma omp taskwait
     } else {
-#pragma omp parallel num_threads(team)
-        work_on();
+        const int before = omp_get_max_threads();
+        omp_set_num_threads(threads > 0 ? static_cast<int>(threads) : before);
+        if (team == 1) {  // NOLINT(bugprone-branch-clone): the other branch is a parallel region
+            work_on();
+        } else {
+#pragma omp parallel
+#pragma omp single  // at its end all threads wait, and take what tasks there are, also those of tasks
+            share_out();
+        }
+        omp_set_num_threads(before);
     }
-    omp_set_num_threads(before);
     if (thrown) {
         std::rethrow_exception(thrown);
     }

@@ -122,42 +122,6 @@ void remark_on_end(const ScoreTestData& score_data, const FittedHypothesis& one,
     }
 }
 
-/// Fits of additions, some of them made before their turn, where a thread is free for them.
-class FitsAhead {
-public:
-    /// @param additions in the order of their turns  @param all live longer
-    FitsAhead(const ScoreTestData& score_data, const PredictedModel& now, const LinearPrediction& linear,
-              const std::vector<CauseGroup>& additions)
-        : score_data_(score_data), now_(now), linear_(linear), additions_(additions), fits_(additions.size()) {}
-
-    /// @param i whose turn it is  @param is_next whether one of the others is likely to be fitted as well
-    template <typename IsNext>
-    [[nodiscard]] FittedHypothesis take(std::size_t i, const IsNext& is_next) {
-        if (!fits_[i]) {
-            std::vector<std::size_t> chosen{i};
-            for (std::size_t k = i + 1; k < additions_.size(); ++k) {
-                if (!fits_[k] && static_cast<std::size_t>(threads_for(chosen.size() + 1)) > chosen.size() &&
-                    is_next(additions_[k], chosen.size())) {
-                    chosen.push_back(k);
-                }
-            }
-            in_parallel(chosen.size(), [&](std::size_t c) {
-                const std::vector<std::size_t>& added = additions_[chosen[c]].candidates;
-                fits_[chosen[c]] = extended(score_data_, now_.hypothesis, added,
-                                            linear_.amplitudes({added.begin(), added.end()}), now_.noise);
-            });
-        }
-        return std::move(*fits_[i]);
-    }
-
-private:
-    const ScoreTestData& score_data_;
-    const PredictedModel& now_;
-    const LinearPrediction& linear_;
-    const std::vector<CauseGroup>& additions_;
-    std::vector<std::optional<FittedHypothesis>> fits_;
-};
-
 /// Fits additions until enough of them are admissible: timing, which is no line in its size and so promised too little of, then those
 /// that are promised most of. What ends at the end of what is plausible is set aside. @returns the best first
 std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now, FittedGroups& done,
@@ -171,10 +135,29 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
     std::size_t fitted = 0;
     std::size_t admissible = 0;
     double best = 0.0;
-    FitsAhead fits(score_data, now, linear, additions);
     const auto is_always = [&](const CauseGroup& one) {
         return one.is_timing && !done.dull.contains(one.candidates) && !done.now.contains(one.candidates);
     };
+    const auto fit = [&](const CauseGroup& one) {
+        return extended(score_data, now.hypothesis, one.candidates,
+                        linear.amplitudes({one.candidates.begin(), one.candidates.end()}), now.noise);
+    };
+    const auto say = [&](const CauseGroup& one, std::size_t number) {
+        score_data.say({.doing = Work::candidate,
+                        .of = name_of(score_data.candidates[one.candidates.front()], *score_data.experiment),
+                        .number = number,
+                        .count = effort.fitted});
+    };
+    // What is fitted in any case is fitted first, several at a time.
+    std::vector<std::optional<FittedHypothesis>> fits(additions.size());
+    if (const auto first = std::ranges::find_if(additions, is_always); first != additions.end()) {
+        say(*first, 1);
+    }
+    in_parallel(additions.size(), [&](std::size_t i) {
+        if (is_always(additions[i])) {
+            fits[i] = fit(additions[i]);
+        }
+    });
     for (std::size_t i = 0; i < additions.size(); ++i) {
         const CauseGroup& addition = additions[i];
         const bool always = is_always(addition);
@@ -189,19 +172,8 @@ std::vector<Trial> try_all(ScoreTestData& score_data, const PredictedModel& now,
             done.are_all = false;
             continue;
         }
-        score_data.say({.doing = Work::candidate,
-                        .of = name_of(score_data.candidates[addition.candidates.front()], *score_data.experiment),
-                        .number = fitted + 1,
-                        .count = effort.fitted});
-        // Of the others as many as may still be fitted, if what is promised of this one does not make them needless.
-        const auto is_next = [&](const CauseGroup& other, std::size_t chosen) {
-            return always ? is_always(other)
-                          : chosen < std::min(effort.fitted - fitted, effort.admissible - admissible) &&
-                                !done.now.contains(other.candidates) &&
-                                other.promised >= std::max(least_promised * least_removed,
-                                                           worth_a_fit * std::max(best, addition.promised));
-        };
-        Trial trial{.hypothesis = counted(score_data, fits.take(i, is_next))};
+        say(addition, fitted + 1);
+        Trial trial{.hypothesis = counted(score_data, fits[i] ? std::move(*fits[i]) : fit(addition))};
         done.now.insert(addition.candidates);
         done.dull.insert(addition.candidates);
         fitted += always ? 0 : 1;

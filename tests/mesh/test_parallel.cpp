@@ -152,6 +152,47 @@ TEST(Parallel, LoopInsideATaskStaysOnItsThread) {
     EXPECT_EQ(threads, (std::vector<std::size_t>{1, 1}));
 }
 
+// Two tasks, the second of which has thirty tasks of its own: the thread that is through with the first takes part in them.
+TEST(Parallel, TasksOfATaskAreSharedWithWhoeverIsFree) {
+    const Threads now(2);
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    std::vector<int> done(30);
+    const auto inner = [&](std::size_t i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        const std::scoped_lock lock(mutex);
+        ++done[i];
+        threads.insert(std::this_thread::get_id());
+    };
+    in_parallel(2, [&](std::size_t i) {
+        if (i == 1) {
+            in_parallel(done.size(), inner);
+        }
+    });
+    EXPECT_EQ(done, std::vector<int>(30, 1));
+    EXPECT_EQ(threads.size(), 2U);
+}
+
+TEST(Parallel, WhatATaskOfATaskThrowsComesOut) {
+    const Threads now(3);
+    std::atomic<int> caught = 0;
+    const auto fail = [](std::size_t i) {
+        if (i == 2) {
+            throw std::runtime_error("inside");
+        }
+    };
+    const auto try_it = [&](std::size_t) {
+        try {
+            in_parallel(5, fail);
+        } catch (const std::runtime_error&) {
+            ++caught;
+        }
+    };
+    in_parallel(4, try_it);
+    EXPECT_EQ(caught, 4);
+    EXPECT_THROW(in_parallel(4, [&](std::size_t) { in_parallel(5, fail); }), std::runtime_error);
+}
+
 TEST(Parallel, TheThreadsThatAreAskedForAreForATaskThatIsAlone) {
     const Threads now(3);
     std::size_t threads = 0;
