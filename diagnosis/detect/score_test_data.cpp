@@ -208,6 +208,9 @@ void ScoreTestData::take_noise(Covariance found, Refit refitted) {
     unknown_columns = whitened(*this, unknowns.columns);
     scores = scores_after(base);
     unknown_scores = unknown_scores_after(base);
+    threshold = family_threshold(scores.correlation, sign, chance);
+    unknown_threshold =
+        family_threshold(unknown_scores.correlation, Eigen::VectorXi::Zero(unknown_scores.z.size()), chance);
     pairs.clear();
     for (Eigen::Index b = 0; b < scores.z.size(); ++b) {
         for (Eigen::Index a = 0; a < b; ++a) {
@@ -219,17 +222,7 @@ void ScoreTestData::take_noise(Covariance found, Refit refitted) {
             }
         }
     }
-    // The longest first.
-    in_parallel(3, [&](std::size_t which) {
-        if (which == 0) {
-            unknown_threshold =
-                family_threshold(unknown_scores.correlation, Eigen::VectorXi::Zero(unknown_scores.z.size()), chance);
-        } else if (which == 1) {
-            pair_threshold = diagnosis::pair_threshold(scores.correlation, sign, pairs, chance);
-        } else {
-            threshold = family_threshold(scores.correlation, sign, chance);
-        }
-    });
+    pair_threshold = diagnosis::pair_threshold(scores.correlation, sign, pairs, chance);
 }
 
 ScoreTestData prepare_score_tests(const input::Experiment& experiment, const Observations& observations,

@@ -13,6 +13,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include "mesh/parallel.hpp"
 #include "solver/order_statistics.hpp"
 
 namespace tiretherm::diagnosis {
@@ -37,22 +38,22 @@ double exceeded_by_chance(const Eigen::MatrixXd& correlation, double probability
         parts.eigenvectors().rightCols(n) * parts.eigenvalues().tail(n).cwiseSqrt().asDiagonal();
     std::mt19937_64 engine(20'14);
     const auto uniform = [&] { return (static_cast<double>(engine() >> 11U) + 0.5) * 0x1p-53; };
-    constexpr int block = 500;
-    Eigen::MatrixXd normal(n, block);
-    std::vector<double> drawn;
-    drawn.reserve(draws);
-    while (drawn.size() < draws) {
-        for (Eigen::Index i = 0; i + 1 < normal.size(); i += 2) {  // Box and Muller: alike on every library
-            const double radius = std::sqrt(-2.0 * std::log(uniform()));
-            const double angle = 2.0 * std::numbers::pi * uniform();
-            normal.data()[i] = radius * std::cos(angle);
-            normal.data()[i + 1] = radius * std::sin(angle);
-        }
-        const Eigen::MatrixXd z = root * normal;
-        for (int column = 0; column < block; ++column) {
-            drawn.push_back(statistic(z.col(column)));
-        }
+    Eigen::MatrixXd normal(n, draws);
+    for (Eigen::Index i = 0; i + 1 < normal.size(); i += 2) {  // Box and Muller: alike on every library
+        const double radius = std::sqrt(-2.0 * std::log(uniform()));
+        const double angle = 2.0 * std::numbers::pi * uniform();
+        normal.data()[i] = radius * std::cos(angle);
+        normal.data()[i + 1] = radius * std::sin(angle);
     }
+    constexpr int block = 500;
+    std::vector<double> drawn(draws);
+    in_parallel(draws / block, [&](std::size_t i) {
+        const auto first_of_block = static_cast<Eigen::Index>(i) * block;
+        const Eigen::MatrixXd z = root * normal.middleCols(first_of_block, block);
+        for (Eigen::Index column = 0; column < block; ++column) {
+            drawn[static_cast<std::size_t>(first_of_block + column)] = statistic(z.col(column));
+        }
+    });
     return solver::nth_smallest(std::move(drawn), static_cast<std::size_t>((1.0 - probability) * draws));
 }
 

@@ -8,9 +8,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <Eigen/LU>
 
+#include "mesh/parallel.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::diagnosis {
@@ -58,11 +60,14 @@ Neighbourhood around(const Search& search, const Point& x) {
     solver::leave_if_stopped();
     const Point h = (0.25 * (search.high - search.low)).cwiseMin(difference_step);
     const Point centre = x.cwiseMax(search.low + h).cwiseMin(search.high - h);
-    const auto at = [&](double i, double j) { return search.at(centre + Point(i * h[0], j * h[1])); };
-    const Trial middle = at(0, 0);
-    const std::array<Trial, 2> up{at(1, 0), at(0, 1)};
-    const std::array<Trial, 2> down{at(-1, 0), at(0, -1)};
-    const double corners = at(1, 1).value + at(-1, -1).value;
+    const std::array<Point, 7> places{Point(0, 0),  Point(1, 0), Point(0, 1),  Point(-1, 0),
+                                      Point(0, -1), Point(1, 1), Point(-1, -1)};
+    std::array<Trial, places.size()> trials;
+    in_parallel(places.size(), [&](std::size_t i) { trials[i] = search.at(centre + places[i].cwiseProduct(h)); });
+    const Trial& middle = trials[0];
+    const std::span up(&trials[1], 2);
+    const std::span down(&trials[3], 2);
+    const double corners = trials[5].value + trials[6].value;
     Neighbourhood result;
     for (Eigen::Index k = 0; k < 2; ++k) {
         const auto i = static_cast<std::size_t>(k);
