@@ -60,19 +60,22 @@ void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
         }
         work_on();
     };
-    if (omp_in_parallel() != 0) {
-        share_out();
-#pragma omp taskwait
-    } else {
-        const int before = omp_get_max_threads();
+    const bool is_inside = omp_in_parallel() != 0;
+    const int before = omp_get_max_threads();
+    if (!is_inside) {
         omp_set_num_threads(threads > 0 ? static_cast<int>(threads) : before);
-        if (team == 1) {  // NOLINT(bugprone-branch-clone): the other branch is a parallel region
-            work_on();
-        } else {
+    }
+    if (team == 1) {
+        work_on();
+    } else if (is_inside) {
+#pragma omp taskgroup  // waits for these tasks alone, not for those that this one is among
+        share_out();
+    } else {
 #pragma omp parallel
 #pragma omp single  // at its end all threads wait, and take what tasks there are, also those of tasks
-            share_out();
-        }
+        share_out();
+    }
+    if (!is_inside) {
         omp_set_num_threads(before);
     }
     if (thrown) {

@@ -36,7 +36,8 @@ void omp_set_num_threads(int /*n*/) {}
 void GOMP_parallel(void (*work)(void*), void* data, unsigned /*threads*/, unsigned /*flags*/) { work(data); }
 bool GOMP_single_start() { return true; }
 void GOMP_barrier() {}
-void GOMP_taskwait() {}
+void GOMP_taskgroup_start() {}
+void GOMP_taskgroup_end() {}
 void GOMP_task(void (*work)(void*), void* data, void (* /*copy*/)(void*, void*), long /*size*/, long /*alignment*/,
                bool /*deferred*/, unsigned /*flags*/, void** /*depend*/, int /*priority*/, void* /*detach*/) {
     work(data);  // of one thread there is none

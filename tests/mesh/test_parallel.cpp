@@ -173,6 +173,30 @@ TEST(Parallel, TasksOfATaskAreSharedWithWhoeverIsFree) {
     EXPECT_EQ(threads.size(), 2U);
 }
 
+// One of two threads has a task that ends when seven others, which have tasks of their own, are through: the other thread, whichever
+// it is, must not wait for it in any of them.
+TEST(Parallel, ATaskWaitsForItsOwnTasksAlone) {
+    const Threads now(2);
+    for (const std::size_t last : {0UL, 1UL}) {
+        std::atomic<int> through = 0;
+        int seen = 0;
+        in_parallel(9, [&](std::size_t i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));  // both threads have one of the first two
+            if (i == last) {
+                const auto start = std::chrono::steady_clock::now();
+                while (through < 7 && std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                }
+                seen = through;
+                return;
+            }
+            in_parallel(2, [&](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+            ++through;
+        });
+        EXPECT_GE(seen, 7) << last;
+    }
+}
+
 TEST(Parallel, WhatATaskOfATaskThrowsComesOut) {
     const Threads now(3);
     std::atomic<int> caught = 0;
