@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Threads, by OpenMP: independent tasks, each begun when a thread is free; and loops over the nodes of one large mesh, shared by a team.
-// Whoever works in threads does it by these functions, so that what is nested is decided here: inside a task no loop is shared.
+// Whoever works in threads does it by these functions, so that what is nested is decided here: tasks of a task are shared, its loops are not.
 #pragma once
 
 #include <algorithm>

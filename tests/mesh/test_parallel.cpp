@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops and tasks in threads: sums have the same digits for any number of threads, what is thrown comes out, and what is nested
-// stays on its thread.
+// Loops and tasks in threads: sums have the same digits for any number of threads, what is thrown comes out, tasks of a task are
+// shared, its loops stay on its thread.
 
 #include "mesh/parallel.hpp"
 
