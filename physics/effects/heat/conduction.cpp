@@ -86,9 +86,9 @@ Extent extent_of(std::span<const double> T) {
 /// Faces inside one material whose law is one quadratic over the whole field: the bulk of the work of a section, without
 /// a branch. The mean and its slopes are those of Curve::mean.
 void add_quadratic_inside(const EvaluationState& m, std::size_t begin, std::size_t end, const Curve& k, Terms& terms) {
-    const auto [c0, c1, c2] = k.coefficients();
-    const double half = 0.5 * c1;
-    const double third = c2 / 3.0;
+    const std::array<double, 3> c = k.coefficients();
+    const double half = 0.5 * c[1];
+    const double third = c[2] / 3.0;
     const int* const place = m.active.nodes.data();
     const double* const weight = m.active.weights.data();
     const double* const T = m.temperature.data();
@@ -97,9 +97,9 @@ void add_quadratic_inside(const EvaluationState& m, std::size_t begin, std::size
     double* const of_b = terms.face_dq_dTb.data();
     const auto add_constant = [&](std::size_t first, std::size_t last) {
         for (std::size_t i = begin + first; i < begin + last; ++i) {
-            G[place[3 * i]] += weight[i] * c0;
+            G[place[3 * i]] += weight[i] * c[0];
         }
-        return c0;
+        return c[0];
     };
     const auto add_varying = [&](std::size_t first, std::size_t last) {
         double smallest = 0.0;
@@ -107,7 +107,7 @@ void add_quadratic_inside(const EvaluationState& m, std::size_t begin, std::size
             const int f = place[3 * i];
             const double a = T[place[3 * i + 1]];
             const double b = T[place[3 * i + 2]];
-            const double value = weight[i] * (c0 + half * (a + b) + third * (a * a + a * b + b * b));
+            const double value = weight[i] * (c[0] + half * (a + b) + third * (a * a + a * b + b * b));
             const double drop = weight[i] * (b - a);
             G[f] += value;
             of_a[f] += (half + third * (2.0 * a + b)) * drop;
