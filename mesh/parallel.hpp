@@ -67,7 +67,7 @@ void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
     }
     if (team == 1) {
         work_on();
-    } else if (is_inside) {
+    } else if (is_inside) {  // NOLINT(bugprone-branch-clone): both share out, one of them beginning a parallel region
 #pragma omp taskgroup  // waits for these tasks alone, not for those that this one is among
         share_out();
     } else {
