@@ -68,8 +68,8 @@ void in_parallel(std::size_t n, const Work& work, unsigned threads = 0) {
     if (team == 1) {
         work_on();
     } else if (is_inside) {  // NOLINT(bugprone-branch-clone): both share out, one of them beginning a parallel region
-#pragma omp taskgroup  // waits for these tasks alone, not for those that this one is among
-        share_out();
+#pragma omp taskgroup
+        share_out();  // the group waits for these tasks alone, not for those that this one is among
     } else {
 #pragma omp parallel
 #pragma omp single  // at its end all threads wait, and take what tasks there are, also those of tasks
