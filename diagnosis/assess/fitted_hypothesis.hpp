@@ -31,7 +31,7 @@ struct FittedHypothesis {
     [[nodiscard]] Eigen::Index number_of(std::size_t i) const;
 };
 
-/// The same, its simulations counted. Fits do not count their own: several may be made at a time, and some for nothing.
+/// The same, its simulations counted. Fits do not count their own, as several may be made at a time.
 [[nodiscard]] FittedHypothesis counted(ScoreTestData& score_data, FittedHypothesis one);
 
 /// Where the numbers of causes start, from where they are absent. A lag and a delay of one sensor have the same signature there: only their

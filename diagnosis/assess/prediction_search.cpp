@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "diagnosis/assess/additions.hpp"
 #include "diagnosis/assess/extension.hpp"
@@ -45,32 +47,8 @@ constexpr double rise_of_removed = 0.1;
 constexpr double beyond_one_run = 0.1;
 /// Of looking back.
 constexpr int most_turns = 2;
-/// White noise is taken where it predicts the temperatures better by this share of the rms.
-constexpr double better_by = 0.02;
 /// Of what an addition must remove, the part that the linearised model must promise of it.
 constexpr double least_promised = 0.7;
-
-/// Mean over the channels of the logarithm of the mean square: half of its differences is the relative change of the rms.
-double log_error(const PredictedModel& model, const Observations& observations) {
-    double sum = 0.0;
-    int counted = 0;
-    for (std::size_t c = 0; c < observations.channels.size(); ++c) {
-        const double square = model.out.mean_square(observations, c);
-        if (square > 0.0) {
-            sum += std::log(square);
-            ++counted;
-        }
-    }
-    return counted > 0 ? sum / counted : 0.0;
-}
-
-PredictedModel predicted(ScoreTestData& score_data, FittedHypothesis hypothesis, Covariance noise, bool fitted = true) {
-    PredictedModel model{.hypothesis = std::move(hypothesis), .noise = std::move(noise)};
-    model.out = held_out(model.hypothesis.model, *score_data.observations, model.noise, score_data.steps,
-                         model.hypothesis.fit, fitted);
-    score_data.count(model.out.simulations);
-    return model;
-}
 
 PredictionGain gain_over(const PredictedModel& before, const PredictedModel& after, const ScoreTestData& score_data) {
     const Observations& observations = *score_data.observations;
@@ -84,12 +62,6 @@ Effort effort_of(const ScoreTestData& score_data) {
     }
     const auto nodes = static_cast<std::size_t>(score_data.experiment->runs.front().problem.mesh.n_nodes);
     return steps * std::max(nodes, fewest_nodes) < dear ? usual : little;
-}
-
-/// Noise by which a model is fitted in the search.
-Covariance alike(const FittedHypothesis& model, const Observations& observations) {
-    return white_noise_of(observations.measured - model.fit.simulated, observations.blocks,
-                          observations.channels.size());
 }
 
 /// Additions that were fitted.
@@ -285,6 +257,19 @@ PredictedModel settled(ScoreTestData& score_data, PredictedModel model) {
 
 }  // namespace
 
+PredictedModel predicted(ScoreTestData& score_data, FittedHypothesis hypothesis, Covariance noise, bool fitted) {
+    PredictedModel model{.hypothesis = std::move(hypothesis), .noise = std::move(noise)};
+    model.out = held_out(model.hypothesis.model, *score_data.observations, model.noise, score_data.steps,
+                         model.hypothesis.fit, fitted);
+    score_data.count(model.out.simulations);
+    return model;
+}
+
+Covariance alike(const FittedHypothesis& model, const Observations& observations) {
+    return white_noise_of(observations.measured - model.fit.simulated, observations.blocks,
+                          observations.channels.size());
+}
+
 AdditionDoubt doubt_of(const PredictionGain& gain, double beyond_doubt) {
     if (gain.removed <= least_removed) {
         return AdditionDoubt::too_small;
@@ -300,46 +285,6 @@ AdditionDoubt doubt_of(const PredictionGain& gain, double beyond_doubt) {
 
 bool is_improvement(const PredictionGain& gain, double beyond_doubt) {
     return doubt_of(gain, beyond_doubt) == AdditionDoubt::none;
-}
-
-PredictionSearch choose_base(ScoreTestData& score_data) {
-    PredictionSearch search;
-    const Observations& observations = *score_data.observations;
-    FittedHypothesis slow;
-    slow.model = *score_data.experiment;
-    slow.fit = score_data.base;
-    slow.sound = true;
-
-    PredictedModel correlated = predicted(score_data, slow, score_data.noise);
-    correlated.base = BaseModel::correlated_noise;
-    std::optional<PredictedModel> white;
-    Covariance even = alike(slow, observations);
-    for (int turn = 0; turn < 2; ++turn) {
-        FittedHypothesis flat = counted(score_data, refitted(score_data, white ? white->hypothesis : slow, even));
-        if (!flat.sound) {
-            break;
-        }
-        white = PredictedModel{.hypothesis = std::move(flat), .noise = even, .base = BaseModel::white_noise};
-        even = alike(white->hypothesis, observations);
-    }
-    if (white) {
-        white->out = predicted(score_data, white->hypothesis, white->noise).out;
-    }
-    const Covariance& its_noise = white ? white->noise : even;
-    FittedHypothesis plain = counted(score_data, as_it_stands(score_data, its_noise));
-    PredictedModel stands = predicted(score_data, std::move(plain), its_noise, false);
-    stands.base = BaseModel::as_it_stands;
-
-    const double of_correlated = log_error(correlated, observations);
-    const double by_white = white && white->out.ok ? log_error(*white, observations) : 1e30;
-    const double of_case = stands.out.ok ? log_error(stands, observations) : 1e30;
-    search.white = 0.5 * (of_correlated - by_white) > better_by;
-    search.base = search.white ? std::move(*white) : std::move(correlated);
-    if (0.5 * ((search.white ? by_white : of_correlated) - of_case) > better_by) {
-        search.base = std::move(stands);
-        search.white = true;
-    }
-    return search;
 }
 
 void search_by_prediction(ScoreTestData& score_data, PredictionSearch& search) {

@@ -53,6 +53,12 @@ struct PredictionSearch {
     [[nodiscard]] const PredictedModel& best() const { return accepted.empty() ? base : accepted.back().model; }
 };
 
+/// A fitted model with what it gets wrong of data that were left out. @param fitted false: its numbers are the case's own
+[[nodiscard]] PredictedModel predicted(ScoreTestData& score_data, FittedHypothesis hypothesis, Covariance noise,
+                                       bool fitted = true);
+/// Noise by which a model is fitted in the search: white, so that every channel counts alike.
+[[nodiscard]] Covariance alike(const FittedHypothesis& model, const Observations& observations);
+
 /// What stands against a gain: it must be beyond chance, worth a number, and at the cost of no channel; of no run either, where it is
 /// small. @param beyond_doubt share of the mean square that the low end of its interval must be above
 [[nodiscard]] AdditionDoubt doubt_of(const PredictionGain& gain, double beyond_doubt = 0.0);

@@ -48,7 +48,8 @@ struct RunVerdicts {
 [[nodiscard]] input::Experiment single_run(const input::Experiment& experiment, std::size_t run);
 
 /// Diagnoses each run with the same options, several at a time, but plans no next experiment. An end that is asked for ends
-/// the runs at hand and leaves out the rest. Progress is that of the first run that is not through. @param choice of the diagnosis of all runs; its meshes are those of all runs
+/// the runs at hand and leaves out the rest. Progress is that of the first run that is not through, and comes from any thread,
+/// one at a time. @param choice of the diagnosis of all runs; its meshes are those of all runs
 [[nodiscard]] RunVerdicts diagnose_by_run(const input::Experiment& experiment, const DiagnosisOptions& choice);
 
 /// Where the diagnosis of all runs took longer, that of each run is left out unless it is asked for.

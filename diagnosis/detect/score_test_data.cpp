@@ -46,9 +46,8 @@ bool brings_a_node(const Candidate& candidate) {
     return heat != nullptr && heat->extend != nullptr;
 }
 
-/// Slopes of some candidates, all in one run, into their columns. @param chosen indices  @returns simulations
-long take_slopes(const input::Experiment& still, std::span<const std::size_t> chosen, const ScoreTestData& score_data,
-                 Eigen::MatrixXd& signatures) {
+/// Slopes of some candidates, all in one run, into their columns. @param chosen indices  @returns simulations, not counted yet
+long take_slopes(const input::Experiment& still, std::span<const std::size_t> chosen, ScoreTestData& score_data) {
     std::vector<Candidate> linear;
     std::vector<double> absent;
     for (const std::size_t k : chosen) {
@@ -60,21 +59,22 @@ long take_slopes(const input::Experiment& still, std::span<const std::size_t> ch
     all.take_steps(score_data.steps);
     const ModelPrediction& slopes = all.at(all.start());
     for (std::size_t i = 0; i < chosen.size() && slopes.status.ok(); ++i) {
-        signatures.col(static_cast<Eigen::Index>(chosen[i])) = slopes.slope.col(static_cast<Eigen::Index>(i));
+        score_data.signatures.col(static_cast<Eigen::Index>(chosen[i])) =
+            slopes.slope.col(static_cast<Eigen::Index>(i));
     }
     return all.simulations();
 }
 
-/// The difference that one candidate makes, into its column. @returns simulations
+/// The difference that one candidate makes, into its column. @returns simulations, not counted yet
 long take_difference(const input::Experiment& still, std::size_t k, const Eigen::VectorXd& simulated,
-                     const ScoreTestData& score_data, Eigen::MatrixXd& signatures) {
+                     ScoreTestData& score_data) {
     const Candidate& candidate = score_data.candidates[k];
     input::Experiment moved = with(still, {candidate}, {candidate.trial});
     moved.parameters.clear();
     Simulator one(moved, *score_data.observations);
     one.take_steps(score_data.steps);
     if (const ModelPrediction& there = one.at(one.start()); there.status.ok()) {
-        signatures.col(static_cast<Eigen::Index>(k)) =
+        score_data.signatures.col(static_cast<Eigen::Index>(k)) =
             (there.simulated - simulated) / (candidate.trial - candidate.absent);
     }
     return one.simulations();
@@ -104,9 +104,7 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
         }
     }
     std::vector<long> simulations(std::max(together.size(), alone.size()));
-    in_parallel(together.size(), [&](std::size_t i) {
-        simulations[i] = take_slopes(still, together[i], score_data, score_data.signatures);
-    });
+    in_parallel(together.size(), [&](std::size_t i) { simulations[i] = take_slopes(still, together[i], score_data); });
     score_data.count(std::accumulate(simulations.begin(), simulations.end(), 0L));
     const auto at_once = static_cast<std::size_t>(threads_for(alone.size()));
     for (std::size_t first = 0; first < alone.size(); first += at_once) {
@@ -116,7 +114,7 @@ void take_signatures(const input::Experiment& still, const Eigen::VectorXd& simu
                         .count = alone.size()});
         simulations.assign(std::min(at_once, alone.size() - first), 0);
         in_parallel(simulations.size(), [&](std::size_t i) {
-            simulations[i] = take_difference(still, alone[first + i], simulated, score_data, score_data.signatures);
+            simulations[i] = take_difference(still, alone[first + i], simulated, score_data);
         });
         score_data.count(std::accumulate(simulations.begin(), simulations.end(), 0L));
     }

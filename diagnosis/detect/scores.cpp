@@ -38,22 +38,26 @@ double exceeded_by_chance(const Eigen::MatrixXd& correlation, double probability
         parts.eigenvectors().rightCols(n) * parts.eigenvalues().tail(n).cwiseSqrt().asDiagonal();
     std::mt19937_64 engine(20'14);
     const auto uniform = [&] { return (static_cast<double>(engine() >> 11U) + 0.5) * 0x1p-53; };
-    Eigen::MatrixXd normal(n, draws);
-    for (Eigen::Index i = 0; i + 1 < normal.size(); i += 2) {  // Box and Muller: alike on every library
-        const double radius = std::sqrt(-2.0 * std::log(uniform()));
-        const double angle = 2.0 * std::numbers::pi * uniform();
-        normal.data()[i] = radius * std::cos(angle);
-        normal.data()[i + 1] = radius * std::sin(angle);
-    }
     constexpr int block = 500;
+    constexpr int at_a_time = 8 * block;  // more are not kept
+    static_assert(draws % at_a_time == 0);
+    Eigen::MatrixXd normal(n, at_a_time);
     std::vector<double> drawn(draws);
-    in_parallel(draws / block, [&](std::size_t i) {
-        const auto first_of_block = static_cast<Eigen::Index>(i) * block;
-        const Eigen::MatrixXd z = root * normal.middleCols(first_of_block, block);
-        for (Eigen::Index column = 0; column < block; ++column) {
-            drawn[static_cast<std::size_t>(first_of_block + column)] = statistic(z.col(column));
+    for (int begin = 0; begin < draws; begin += at_a_time) {
+        for (Eigen::Index i = 0; i + 1 < normal.size(); i += 2) {  // Box and Muller: alike on every library
+            const double radius = std::sqrt(-2.0 * std::log(uniform()));
+            const double angle = 2.0 * std::numbers::pi * uniform();
+            normal.data()[i] = radius * std::cos(angle);
+            normal.data()[i + 1] = radius * std::sin(angle);
         }
-    });
+        in_parallel(at_a_time / block, [&](std::size_t i) {
+            const auto first_of_block = static_cast<Eigen::Index>(i) * block;
+            const Eigen::MatrixXd z = root * normal.middleCols(first_of_block, block);
+            for (Eigen::Index column = 0; column < block; ++column) {
+                drawn[static_cast<std::size_t>(begin + first_of_block + column)] = statistic(z.col(column));
+            }
+        });
+    }
     return solver::nth_smallest(std::move(drawn), static_cast<std::size_t>((1.0 - probability) * draws));
 }
 

@@ -3,7 +3,10 @@
 
 #include "diagnosis/by_run/run_verdicts.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "diagnosis/noise/noise_sample.hpp"
 #include "diagnosis/practice_bench.hpp"
@@ -55,8 +58,13 @@ input::Experiment with_different_causes() {
 // effect at all. So each run has one explanation of the two, and the set of the other must not hold it.
 TEST(RunVerdicts, EachRunNamesItsOwnCause) {
     const input::Experiment experiment = with_different_causes();
-    const RunVerdicts found = diagnose_by_run(experiment, {});
+    std::vector<std::string> told;  // of which run, in the order in which it was told
+    const RunVerdicts found = diagnose_by_run(
+        experiment,
+        {.progress = [&](const Activity& activity, long /*simulations*/) { told.push_back(activity.run); }});
     ASSERT_EQ(found.runs.size(), 2U);
+    EXPECT_EQ(told.front(), "run1");
+    EXPECT_TRUE(std::ranges::is_sorted(told));  // the runs are diagnosed side by side, and told of one after another
     EXPECT_EQ(found.left_out, LeftOutRuns::none);
     EXPECT_EQ(found.runs[0].name, "run1");
     EXPECT_EQ(found.runs[1].name, "run2");
