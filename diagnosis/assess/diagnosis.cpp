@@ -114,9 +114,11 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& asked, Diagnosis
     for (const ParameterFinding& finding : findings_of(experiment, base)) {
         result.remarks.push_back(remark::without_cause({finding.remark}));
     }
-    part = Part::missing_heat;
-    estimate_missing_heat(state, result);
-    name_window(experiment, result);
+    if (!choice.only_verdict) {
+        part = Part::missing_heat;
+        estimate_missing_heat(state, result);
+        name_window(experiment, result);
+    }
     if (can_leave_out) {
         part = Part::gain;
         measure_gain(state, result);
@@ -128,7 +130,7 @@ void find_causes(DiagnosisState& state, const DiagnosisOptions& asked, Diagnosis
         describe_model_error(state, result);
     }
     widen_by_instruments(state, result);
-    if (choice.plan_next) {
+    if (!choice.only_verdict) {
         part = Part::next_experiment;
         state.score_data.say({.doing = Work::next_experiment});
         plan_next(state, result);

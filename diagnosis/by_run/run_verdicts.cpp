@@ -82,7 +82,7 @@ RunVerdicts diagnose_by_run(const input::Experiment& experiment, const Diagnosis
         std::vector<input::Experiment> meshes;
         meshes.reserve(choice.richer.size());  // options point into it
         DiagnosisOptions options{
-            .measure_gain = choice.measure_gain, .finer = finer ? &*finer : nullptr, .plan_next = false};
+            .measure_gain = choice.measure_gain, .finer = finer ? &*finer : nullptr, .only_verdict = true};
         for (const RicherModel& richer : choice.richer) {
             meshes.push_back(single_run(*richer.experiment, r));
             options.richer.push_back({.name = richer.name, .experiment = &meshes.back(), .change = richer.change});

@@ -13,6 +13,7 @@
 #include "diagnosis/fit/gauss_newton.hpp"
 #include "diagnosis/fit/linearised_model.hpp"
 #include "diagnosis/fit/refinement.hpp"
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -116,6 +117,64 @@ std::optional<NearbyFit> settle_by(const Eigen::MatrixXd& slopes, const Fit& fit
     return std::nullopt;
 }
 
+/// A model fitted to everything, from which the fits of all folds start.
+struct FullModel {
+    const input::Experiment& model;
+    const Observations& observations;
+    const Covariance& covariance;
+    const std::vector<std::vector<double>>& steps;
+    const Refit& full;
+    LinearisedModel linear;
+    Eigen::MatrixXd slopes;  ///< [n_rows][n_parameters] SI per unit of each number
+};
+
+/// What leaving one fold out gave.
+struct FoldErrors {
+    std::optional<Eigen::VectorXd> values{};  ///< that the rest gave; nothing where it was not fitted
+    Eigen::VectorXd left{};                   ///< [n_test] SI; empty where a fit failed
+    long simulations = 0;
+};
+
+FoldErrors leave_out(const Fold& fold, const FullModel& all, bool fitted) {
+    FoldErrors found;
+    Eigen::VectorXd values = all.full.values;
+    if (fitted && values.size() > 0) {
+        const Observations rest = subset(all.observations, fold.rest);
+        Fit fit(all.model, rest);
+        fit.simulator().take_steps(all.steps);
+        fit.take_covariance(subset(all.covariance, fold.rest));
+        const Eigen::VectorXd start = linear_start(all.linear, all.full, fit, fold);
+        if (std::optional<NearbyFit> there =
+                settle_by(all.slopes(fold.rest, Eigen::all), fit, all.steps, start, found.simulations)) {
+            values = std::move(there->values);
+        } else if (fit.move_to(start) || fit.move_to(Eigen::VectorXd(all.full.values))) {
+            values = refit(fit, few_iterations).values;
+        } else {
+            return found;
+        }
+        found.simulations += fit.simulator().simulations();
+        found.values = values;
+    }
+    // The runs that are left out, or the whole of those of which a part is.
+    const Observations test = subset(all.observations, fold.test);
+    const Simulator numbers(all.model, test);
+    const input::Experiment own = own_numbers_free(all.model, numbers, values, fold);
+    Fit fit(own, test);
+    fit.simulator().take_steps(all.steps);
+    fit.take_covariance(subset(all.covariance, fold.test));
+    const std::vector<Eigen::Index> own_columns = columns_of_own(all.model, fold);
+    const std::optional<NearbyFit> there =
+        settle_by(all.slopes(fold.test, own_columns), fit, all.steps, fit.simulator().start(), found.simulations);
+    if (there) {
+        found.left = test.measured - there->simulated;
+    } else if (fit.move_to(fit.simulator().start())) {
+        found.left =
+            test.measured - (own.parameters.empty() ? fit.now().simulated : refit(fit, few_iterations).simulated);
+    }
+    found.simulations += fit.simulator().simulations();
+    return found;
+}
+
 /// Where a recording is divided: into quarters, each moved to the end of a lap that lies within half a quarter of it.
 std::vector<double> cuts_of(const Observations& observations, std::size_t recording) {
     constexpr std::size_t quarters = 4;
@@ -209,51 +268,25 @@ HeldOutErrors held_out(const input::Experiment& model, const Observations& obser
 HeldOutErrors held_out(const input::Experiment& model, const Observations& observations, const Covariance& covariance,
                        const std::vector<std::vector<double>>& steps, const Refit& full, const std::vector<Fold>& folds,
                        bool fitted) {
-    HeldOutErrors found{.left = Eigen::VectorXd::Constant(observations.measured.size(), none)};
-    const LinearisedModel linear = linearise(full, observations);
-    const Eigen::MatrixXd slopes = full.raw * full.scale.cwiseInverse().asDiagonal();
-    found.ok = !folds.empty();
-    for (const Fold& fold : folds) {
-        Eigen::VectorXd values = full.values;
-        if (fitted && values.size() > 0) {
-            const Observations rest = subset(observations, fold.rest);
-            Fit fit(model, rest);
-            fit.simulator().take_steps(steps);
-            fit.take_covariance(subset(covariance, fold.rest));
-            const Eigen::VectorXd start = linear_start(linear, full, fit, fold);
-            if (std::optional<NearbyFit> there =
-                    settle_by(slopes(fold.rest, Eigen::all), fit, steps, start, found.simulations)) {
-                values = std::move(there->values);
-            } else if (fit.move_to(start) || fit.move_to(Eigen::VectorXd(full.values))) {
-                values = refit(fit, few_iterations).values;
-            } else {
-                found.ok = false;
-                continue;
-            }
-            found.simulations += fit.simulator().simulations();
-            found.values.push_back(values);
+    HeldOutErrors found{.left = Eigen::VectorXd::Constant(observations.measured.size(), none), .ok = !folds.empty()};
+    const FullModel all{.model = model,
+                        .observations = observations,
+                        .covariance = covariance,
+                        .steps = steps,
+                        .full = full,
+                        .linear = linearise(full, observations),
+                        .slopes = full.raw * full.scale.cwiseInverse().asDiagonal()};
+    std::vector<FoldErrors> of_fold(folds.size());
+    in_parallel(folds.size(), [&](std::size_t f) { of_fold[f] = leave_out(folds[f], all, fitted); });
+    for (std::size_t f = 0; f < folds.size(); ++f) {
+        FoldErrors& one = of_fold[f];
+        found.simulations += one.simulations;
+        found.ok = found.ok && one.left.size() > 0;
+        if (one.values) {
+            found.values.push_back(std::move(*one.values));
         }
-        // The runs that are left out, or the whole of those of which a part is.
-        const Observations test = subset(observations, fold.test);
-        const Simulator numbers(model, test);
-        const input::Experiment own = own_numbers_free(model, numbers, values, fold);
-        Fit fit(own, test);
-        fit.simulator().take_steps(steps);
-        fit.take_covariance(subset(covariance, fold.test));
-        const std::vector<Eigen::Index> own_columns = columns_of_own(model, fold);
-        std::optional<NearbyFit> there =
-            settle_by(slopes(fold.test, own_columns), fit, steps, fit.simulator().start(), found.simulations);
-        if (!there && !fit.move_to(fit.simulator().start())) {
-            found.ok = false;
-            continue;
-        }
-        const Eigen::VectorXd simulated =
-            there ? std::move(there->simulated)
-                  : (own.parameters.empty() ? fit.now().simulated : refit(fit, few_iterations).simulated);
-        found.simulations += fit.simulator().simulations();
-        for (std::size_t i = 0; i < fold.test.size(); ++i) {
-            const auto k = static_cast<Eigen::Index>(i);
-            found.left[fold.test[i]] = test.measured[k] - simulated[k];
+        if (one.left.size() > 0) {
+            found.left(folds[f].test) = one.left;
         }
     }
     return found;

@@ -11,6 +11,7 @@
 
 #include "diagnosis/findings/parameter_findings.hpp"
 #include "diagnosis/fit/linearised_model.hpp"
+#include "mesh/parallel.hpp"
 
 namespace tiretherm::diagnosis {
 
@@ -143,10 +144,15 @@ std::vector<LeftOut> leave_out_in_turn(Fit& fit, const std::vector<NamedFold>& f
     RowIndices everything(observations.rows.size());
     std::iota(everything.begin(), everything.end(), 0);
     const Eigen::VectorXd variance = covariance(linear, everything).diagonal();
+    std::vector<HeldOutErrors> of_fold(folds.size());
+    in_parallel(folds.size(), [&](std::size_t i) {
+        of_fold[i] =
+            held_out(fit.experiment(), observations, fit.covariance(), fit.simulator().steps(), full, {folds[i].fold});
+    });
     std::vector<LeftOut> found;
-    for (const NamedFold& one : folds) {
-        const HeldOutErrors errors =
-            held_out(fit.experiment(), observations, fit.covariance(), fit.simulator().steps(), full, {one.fold});
+    for (std::size_t i = 0; i < folds.size(); ++i) {
+        const NamedFold& one = folds[i];
+        const HeldOutErrors& errors = of_fold[i];
         simulations += errors.simulations;
         if (!errors.ok) {
             found.push_back({.name = one.name, .channels = {}, .values = {}, .moves = {}});

@@ -131,20 +131,19 @@ Point step_from(const Neighbourhood& here, const std::array<bool, 2>& free) {
 }
 
 Point coarse_start(const Search& search) {
-    constexpr int times = 6;
-    Point best = search.low;
-    double lowest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < times; ++i) {
-        for (const double share : {0.05, 0.35, 0.7}) {
-            const double part = (i + 0.5) / times;
-            const Point x = search.point(std::exp(search.low[0] + part * (search.high[0] - search.low[0])), share);
-            if (const Trial trial = search.at(x); !trial.empty && trial.value < lowest) {
-                lowest = trial.value;
-                best = x;
-            }
-        }
-    }
-    return best;
+    constexpr std::array shares{0.05, 0.35, 0.7};
+    constexpr std::size_t times = 6;
+    std::array<Point, times * shares.size()> points;
+    std::array<double, points.size()> value;
+    in_parallel(points.size(), [&](std::size_t i) {
+        const double part = (static_cast<double>(i / shares.size()) + 0.5) / times;
+        points[i] =
+            search.point(std::exp(search.low[0] + part * (search.high[0] - search.low[0])), shares[i % shares.size()]);
+        const Trial trial = search.at(points[i]);
+        value[i] = !trial.empty && std::isfinite(trial.value) ? trial.value : std::numeric_limits<double>::infinity();
+    });
+    const auto lowest = std::ranges::min_element(value);
+    return std::isfinite(*lowest) ? points[static_cast<std::size_t>(lowest - value.begin())] : search.low;
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 // Repeats a run with given steps and keeps its stages, effect coefficients and the linear form of every sampled output.
 
 #include "solver/sensitivity/adjoint_record.hpp"
+
+#include <fmt/format.h>
+
 #include "mesh/index.hpp"
 #include "solver/stop_signal.hpp"
 
@@ -109,6 +112,45 @@ void AdjointRecord::add_step(const Stepper& stepper, std::span<const physics::In
     for (std::size_t c = 0; c < problem_.channels.size(); ++c) {
         kept.carry.push_back(sensor_outputs.form(c, kept.stages, inputs, kept.stages.back().time));
     }
+}
+
+void AdjointRecord::linearise(const Step& step) {
+    System& system = stepper_.system();
+    const std::size_t stages = step.T.size();
+    now_.s = step.dt * stepper_.method().diagonal;
+    now_.J.resize(stages);
+    now_.slopes.resize(stages);
+    now_.capacity.assign(stages, std::vector<double>(n_));
+    for (std::size_t i = 0; i < stages; ++i) {
+        system.evaluate(step.T[i], step.coefficients[i]);
+        system.matrices(now_.s, false, now_.A, now_.J[i]);
+        // The outer products point into the terms, which the next stage overwrites.
+        now_.slopes[i] = system.terms().region_slope;
+        for (Matrix::Outer& outer : now_.J[i].outer) {
+            const auto offset = outer.row.data() - system.terms().region_slope.data();
+            outer.row = std::span(now_.slopes[i]).subspan(static_cast<std::size_t>(offset), n_);
+        }
+        for (std::size_t k = 0; k < n_; ++k) {
+            now_.capacity[i][k] = system.has_capacity(k) ? system.capacity(k, step.T[i][k]) : 0.0;
+        }
+    }
+    if (const std::string wrong = factor_->factorise(now_.A); !wrong.empty()) {
+        status_ = {Outcome::not_positive_definite, wrong};
+    }
+}
+
+void AdjointRecord::note(Status status) {
+    if (!status.ok()) {
+        status_ = std::move(status);
+    }
+}
+
+Status AdjointRecord::solve(BlockSolver& solver, Factor& factor, const Matrix& J, std::span<const double> B,
+                            std::span<double> X, double tolerance, std::size_t step) const {
+    if (solver.solve(J, factor, B, X, tolerance).converged) {
+        return {};
+    }
+    return {Outcome::not_converged, fmt::format("the answers to heat did not converge at t = {:.6g} s", end(step))};
 }
 
 }  // namespace tiretherm::solver

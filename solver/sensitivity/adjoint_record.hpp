@@ -3,6 +3,7 @@
 // heat h and weights w on the outputs.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <span>
@@ -35,7 +36,7 @@ public:
     /// Gives the heat of one step, [n_heats][n_nodes] W, in place of that of the step before.
     using Heats = std::function<void(std::size_t step, std::span<double> heat)>;
     /// How the channels answer to several histories of heat, each constant over each step. Those that begin last stand
-    /// last: what has not begun is not solved.
+    /// last: what has not begun is not solved. Many of them are shared out over threads.
     /// @param tolerance of the linear solutions, beside the largest entry
     /// @returns [n_heats][n_times][n_channels] SI, of what follows no temperature 0
     [[nodiscard]] std::vector<double> forward(std::size_t n_heats, const Heats& heats, double tolerance = round_off);
@@ -70,13 +71,15 @@ private:
         std::vector<std::vector<double>> capacity;  ///< [stages][n_nodes] J/K
         double s = 0.0;
     };
+    class ForwardSweep;
     class BackwardSweep;
     void add_step(const Stepper& stepper, std::span<const physics::Inputs> inputs, const SensorOutputs& sensor_outputs);
     void linearise(const Step& step);
-    void solve(BlockSolver& solver, const Matrix& J, std::span<const double> B, std::span<double> X, double tolerance,
-               std::size_t step);
-    void settle(const Matrix& J, std::span<const double> right, double scale, double tolerance, std::span<double> x);
-    [[nodiscard]] std::size_t begun(std::span<const double> heat) const;
+    /// Tolerance of the explicit stage's surfaces, beside that of the linear solutions.
+    [[nodiscard]] static double of_surfaces(double tolerance) { return std::max(1e-15, 1e-3 * tolerance); }
+    void note(Status status);
+    [[nodiscard]] Status solve(BlockSolver& solver, Factor& factor, const Matrix& J, std::span<const double> B,
+                               std::span<double> X, double tolerance, std::size_t step) const;
     void settle_back(std::span<double> adjoint, std::span<double> heat, double tolerance, std::span<double> w,
                      std::span<double> product);
 

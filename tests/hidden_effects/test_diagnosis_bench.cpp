@@ -57,7 +57,7 @@ double misfit_without_noise(Experiment experiment) {
 // The order in which a case lists its candidates is nobody's knowledge.
 TEST(DiagnosisBench, DoesNotFollowTheOrderOfTheCandidates) {
     Experiment experiment = data_set(Kind::single, 10.0, 4203);
-    const diagnosis::DiagnosisOptions choice{.measure_gain = false, .plan_next = false};
+    const diagnosis::DiagnosisOptions choice{.measure_gain = false, .only_verdict = true};
     const diagnosis::Diagnosis one = diagnosis::diagnose(experiment, diagnosis::observe(experiment), choice);
     std::ranges::reverse(experiment.candidates);
     const diagnosis::Diagnosis other = diagnosis::diagnose(experiment, diagnosis::observe(experiment), choice);
@@ -103,7 +103,7 @@ TEST(DiagnosisBench, ANumberOfAnEffectThatIsOnMayBeWrong) {
     experiment.candidates = {"sliding_friction.partition", "sensor_offset", "layer_heat_capacity",
                              "sidewall_convection"};
     const diagnosis::Diagnosis found =
-        diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.plan_next = false});
+        diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.only_verdict = true});
     ASSERT_EQ(found.verdict, diagnosis::Verdict::named);
     const diagnosis::Cause& cause = found.causes.at(found.hypotheses.front().front());
     EXPECT_EQ(cause.id, "sliding_friction");
@@ -121,7 +121,7 @@ TEST(DiagnosisBench, ANumberOfAnEffectThatIsOnMayBeWrong) {
 TEST(DiagnosisBench, AFitInACurvedValleyEnds) {
     const Experiment experiment = read_data_set(draw_data_set(Kind::pair, 10.0, 740019, 2.0));
     const diagnosis::Diagnosis found =
-        diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.measure_gain = false, .plan_next = false});
+        diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.measure_gain = false, .only_verdict = true});
     EXPECT_EQ(set_of(found), (std::set<std::set<std::string>>{{"convection_exponent", "standing_wave"}}));
 }
 
@@ -130,7 +130,7 @@ TEST(DiagnosisBench, AFitInACurvedValleyEnds) {
 TEST(DiagnosisBench, AnUnknownSourceThatIsSomewhatLikelierStandsBesideTheCause) {
     const Experiment experiment = read_data_set(draw_data_set(Kind::single, 10.0, 900106, 2.0));
     const diagnosis::Diagnosis found =
-        diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.measure_gain = false, .plan_next = false});
+        diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.measure_gain = false, .only_verdict = true});
     EXPECT_EQ(found.verdict, diagnosis::Verdict::confounded);
     EXPECT_EQ(set_of(found), (std::set<std::set<std::string>>{{"cornering_loss"}}));
     ASSERT_TRUE(found.unknown);

@@ -88,7 +88,7 @@ diagnosis::Diagnosis diagnosed_laps(const std::vector<Cause>& causes, Late late,
                                                 late_log(timing_laps(300, 47.0), causes, late, random)};
     auto experiment = read_with(input::source_folder() / "cases/practice/layers_bench.toml", logs);
     experiment.candidates = candidates;
-    return diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.plan_next = false});
+    return diagnosis::diagnose(experiment, diagnosis::observe(experiment), {.only_verdict = true});
 }
 
 }  // namespace

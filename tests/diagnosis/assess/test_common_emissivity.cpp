@@ -92,7 +92,7 @@ TEST(CommonEmissivity, IsOneCauseOfAllSensorsThatSeeTheSurface) {
     const input::ExperimentReading reading = input::read_experiment(file, {data});
     ASSERT_TRUE(reading.experiment) << (reading.errors.empty() ? "" : render(reading.errors.front()));
     const Diagnosis result = diagnose(*reading.experiment, observe(*reading.experiment),
-                                      {.measure_gain = false, .finer = nullptr, .plan_next = false});
+                                      {.measure_gain = false, .finer = nullptr, .only_verdict = true});
     ASSERT_TRUE(result.status.ok()) << result.status.message;
     ASSERT_FALSE(result.hypotheses.empty());
     std::string named;

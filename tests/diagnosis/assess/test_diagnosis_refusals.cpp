@@ -25,7 +25,7 @@ sample::Log with_dead(sample::Log log, std::string_view sensor) {
 
 Diagnosis refused_diagnosis_of(const input::Experiment& experiment) {
     Diagnosis result =
-        diagnose(experiment, observe(experiment), {.measure_gain = false, .finer = nullptr, .plan_next = false});
+        diagnose(experiment, observe(experiment), {.measure_gain = false, .finer = nullptr, .only_verdict = true});
     EXPECT_TRUE(result.status.ok()) << result.status.message;
     return result;
 }

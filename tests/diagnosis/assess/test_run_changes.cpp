@@ -66,7 +66,7 @@ std::vector<RunChange> changes_of(const input::Experiment& bench, const Observat
 TEST(RunChanges, AnotherCompoundInOneRunIsTold) {
     const input::Experiment bench = sample::practice_bench();
     const Observations read = read_with(bench, {"", "", more_loss}, 3);
-    const Diagnosis found = diagnose(bench, read, {.plan_next = false});
+    const Diagnosis found = diagnose(bench, read, {.only_verdict = true});
     ASSERT_FALSE(found.hypotheses.empty());
     const Cause& cause = found.causes[found.hypotheses.front().front()];
     EXPECT_EQ(cause.id, "strain_energy_loss");
@@ -98,7 +98,8 @@ TEST(RunChanges, AProbeOfOneRunIsTold) {
 // says what the next one has.
 TEST(RunChanges, WhatNoTwoRunsShareIsNotConfirmed) {
     const input::Experiment bench = sample::practice_bench();
-    const Diagnosis found = diagnose(bench, read_with(bench, {"", high_probe, higher_probe}, 6), {.plan_next = false});
+    const Diagnosis found =
+        diagnose(bench, read_with(bench, {"", high_probe, higher_probe}, 6), {.only_verdict = true});
     ASSERT_FALSE(found.hypotheses.empty());
     EXPECT_EQ(found.causes[found.hypotheses.front().front()].id, "sensor_offset");
     EXPECT_EQ(found.verdict, Verdict::named);

@@ -62,7 +62,7 @@ std::vector<Stage> diagnose_with_further_runs(ExamDataSet data_set, Choice choic
     const double interval = interval_of(data_set);
     Random random(4000037ULL * data_set.seed);
     const bool plans = choice == Choice::planned;
-    Diagnosis found = diagnose_data_set(data_set, {.plan_next = plans});
+    Diagnosis found = diagnose_data_set(data_set, {.only_verdict = !plans});
     std::vector<Stage> stages{stage_of(data_set, found)};
     while (std::ssize(stages) <= most) {
         const input::Manoeuvre* const next =
@@ -73,7 +73,7 @@ std::vector<Stage> diagnose_with_further_runs(ExamDataSet data_set, Choice choic
         }
         const double promised = plans ? found.next.front().then : 0.0;
         add_run(data_set, drive_of(*next, interval));
-        found = diagnose_data_set(data_set, {.plan_next = plans && std::ssize(stages) < most});
+        found = diagnose_data_set(data_set, {.only_verdict = !plans || std::ssize(stages) == most});
         stages.push_back(stage_of(data_set, found));
         stages.back().manoeuvre = next->name;
         stages.back().promised = promised;

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tangent and adjoint sweeps through the steps of a record.
+// The adjoint of the steps of a record, from the last to the first.
 #include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
 
 #include "mesh/index.hpp"
 #include "solver/sensitivity/adjoint_record.hpp"
-#include "solver/sensitivity/stage_guess.hpp"
 #include "solver/stop_signal.hpp"
 
 namespace tiretherm::solver {
@@ -31,48 +27,6 @@ private:
 
 }  // namespace
 
-void AdjointRecord::linearise(const Step& step) {
-    System& system = stepper_.system();
-    const std::size_t stages = step.T.size();
-    now_.s = step.dt * stepper_.method().diagonal;
-    now_.J.resize(stages);
-    now_.slopes.resize(stages);
-    now_.capacity.assign(stages, std::vector<double>(n_));
-    for (std::size_t i = 0; i < stages; ++i) {
-        system.evaluate(step.T[i], step.coefficients[i]);
-        system.matrices(now_.s, false, now_.A, now_.J[i]);
-        // The outer products point into the terms, which the next stage overwrites.
-        now_.slopes[i] = system.terms().region_slope;
-        for (Matrix::Outer& outer : now_.J[i].outer) {
-            const auto offset = outer.row.data() - system.terms().region_slope.data();
-            outer.row = std::span(now_.slopes[i]).subspan(static_cast<std::size_t>(offset), n_);
-        }
-        for (std::size_t k = 0; k < n_; ++k) {
-            now_.capacity[i][k] = system.has_capacity(k) ? system.capacity(k, step.T[i][k]) : 0.0;
-        }
-    }
-    if (const std::string wrong = factor_->factorise(now_.A); !wrong.empty()) {
-        status_ = {Outcome::not_positive_definite, wrong};
-    }
-}
-
-void AdjointRecord::solve(BlockSolver& solver, const Matrix& J, std::span<const double> B, std::span<double> X,
-                          double tolerance, std::size_t step) {
-    if (!solver.solve(J, *factor_, B, X, tolerance).converged) {
-        status_ = {Outcome::not_converged,
-                   fmt::format("the answers to heat did not converge at t = {:.6g} s", end(step))};
-    }
-}
-
-/// Of the explicit stage. @param x, right [n_columns][n_nodes]  @param J its matrix, or the transpose
-void AdjointRecord::settle(const Matrix& J, std::span<const double> right, double scale, double tolerance,
-                           std::span<double> x) {
-    constexpr double exact = 1e-15;
-    if (Status status = settling_.settle(J, right, scale, std::max(exact, 1e-3 * tolerance), x); !status.ok()) {
-        status_ = std::move(status);
-    }
-}
-
 /// Backwards: w_s = J_ss^-T adjoint_s goes to the heat and, through J_sc, to the cells.
 /// @param adjoint, heat, w, product [n_sums][n_nodes]
 void AdjointRecord::settle_back(std::span<double> adjoint, std::span<double> heat, double tolerance,
@@ -81,7 +35,7 @@ void AdjointRecord::settle_back(std::span<double> adjoint, std::span<double> hea
     std::ranges::fill(w, 0.0);
     {
         const Transposed J(now_.J.front());
-        settle(*J, adjoint, 1.0, tolerance, w);
+        note(settling_.settle(*J, adjoint, 1.0, of_surfaces(tolerance), w));
         J->multiply_block(w, product, adjoint.size() / n_);
     }
     for (std::size_t first = 0; first < w.size(); first += n_) {
@@ -96,99 +50,8 @@ void AdjointRecord::settle_back(std::span<double> adjoint, std::span<double> hea
     }
 }
 
-/// @param heat [n_heats][n_nodes]  @returns the number of the last heat that is not zero, counted from 1
-std::size_t AdjointRecord::begun(std::span<const double> heat) const {
-    std::size_t i = heat.size();
-    while (i > 0 && heat[i - 1] == 0.0) {
-        --i;
-    }
-    return (i + n_ - 1) / n_;
-}
-
-std::vector<double> AdjointRecord::forward(std::size_t n_heats, const Heats& heats, double tolerance) {
-    const Tableau& method = stepper_.method();
-    const System& system = stepper_.system();
-    const std::size_t stages = at(method.stages);
-    const std::size_t most = n_heats * n_;
-    const std::size_t channels = places_.size();
-    BlockSolver solver(static_cast<int>(n_));
-    std::vector<double> answer(n_heats * n_samples_);
-    std::vector<std::vector<double>> S(stages, std::vector<double>(most));
-    std::vector<std::vector<double>> dq(stages, std::vector<double>(most));
-    std::vector<double> before(most);
-    std::vector<double> heat(most);
-    std::vector<double> known(most);
-    std::vector<double> right(most);
-    std::vector<double> lagged(n_heats * channels);
-    const auto read = [&](const SensorOutputs::Form& form, std::size_t channel, std::size_t h) {
-        double value = form.lagged * lagged[h * channels + channel];
-        for (std::size_t i = 0; i < stages; ++i) {
-            value += form.stage[i] * places_[channel](std::span(S[i]).subspan(h * n_, n_));
-        }
-        return value;
-    };
-    std::size_t n_begun = 0;  // heats that have been other than zero, and all before them
-    for (std::size_t k = 0; k < steps_.size() && status_.ok(); ++k) {
-        leave_if_stopped();
-        const Step& step = steps_[k];
-        linearise(step);
-        const double per_s = 1.0 / now_.s;
-        heats(k, heat);
-        n_begun = std::max(n_begun, begun(heat));
-        const std::size_t all = n_begun * n_;
-        const double last_width = k > 0 ? steps_[k - 1].dt : 0.0;
-        before = S[stages - 2];
-        S.front() = S.back();
-        settle(now_.J.front(), heat, now_.s, tolerance, std::span(S[0]).first(all));
-        now_.J[0].multiply_block(S[0], right, n_begun);
-        for (std::size_t first = 0; first < all; first += n_) {
-            for (std::size_t i = 0; i < n_; ++i) {
-                const std::size_t at = first + i;
-                const double flow = per_s * (now_.capacity[0][i] * S[0][at] - right[at]) + heat[at];
-                dq[0][at] = system.has_capacity(i) ? flow : 0.0;
-            }
-        }
-        for (std::size_t stage = 1; stage < stages; ++stage) {
-            const std::vector<double>& capacity = now_.capacity[stage];
-            for (std::size_t first = 0; first < all; first += n_) {
-                for (std::size_t i = 0; i < n_; ++i) {
-                    known[first + i] = now_.capacity[0][i] * S[0][first + i];
-                }
-            }
-            for (std::size_t j = 0; j < stage; ++j) {
-                const double weight = step.dt * method.a[stage][j];
-                for (std::size_t i = 0; i < all; ++i) {
-                    known[i] += weight * dq[j][i];
-                }
-            }
-            for (std::size_t i = 0; i < all; ++i) {
-                right[i] = known[i] + now_.s * heat[i];
-            }
-            guess_stage(method, static_cast<int>(stage), step.dt, last_width, S, before);
-            solve(solver, now_.J[stage], right, std::span(S[stage]).first(all), tolerance, k);
-            for (std::size_t first = 0; first < all; first += n_) {
-                for (std::size_t i = 0; i < n_; ++i) {
-                    dq[stage][first + i] = per_s * (capacity[i] * S[stage][first + i] - known[first + i]);
-                }
-            }
-        }
-        for (std::size_t r = first_sample_[k]; r < first_sample_[k + 1]; ++r) {
-            const OutputSample& sample = samples_[r];
-            for (std::size_t h = 0; h < n_begun; ++h) {
-                answer[h * n_samples_ + sample.place] += read(sample.form, sample.channel, h);
-            }
-        }
-        for (std::size_t h = 0; h < n_begun; ++h) {
-            for (std::size_t c = 0; c < channels; ++c) {
-                lagged[h * channels + c] = read(step.carry[c], c, h);
-            }
-        }
-    }
-    return answer;
-}
-
-/// The adjoint of the steps of a record, from the last to the first. Every stage of a step is   J S = known + s heat   with
-/// dq = (C S - known)/s   and   known = C S_0 + dt sum a dq;   `of_x` is the derivative of the weighted outputs with x.
+/// Every stage of a step is   J S = known + s heat   with dq = (C S - known)/s   and   known = C S_0 + dt sum a dq;   `of_x` is
+/// the derivative of the weighted outputs with x.
 class AdjointRecord::BackwardSweep {
 public:
     BackwardSweep(AdjointRecord& record, std::size_t n_sums, double tolerance)
@@ -281,7 +144,7 @@ private:
         for_all([&](std::size_t i, std::size_t node) { of_S[i] += now.capacity[stage][node] * of_dq[i] / now.s; });
         {
             const Transposed J(record_->now_.J[stage]);
-            record_->solve(solver_, *J, of_S, z, tolerance_, k);
+            record_->note(record_->solve(solver_, *record_->factor_, *J, of_S, z, tolerance_, k));
         }
         for_all([&](std::size_t i, std::size_t node) {
             const double of_known = z[i] - of_dq[i] / now.s;
