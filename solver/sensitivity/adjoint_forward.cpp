@@ -155,7 +155,7 @@ private:
 
 std::vector<double> AdjointRecord::forward(std::size_t n_heats, const Heats& heats, double tolerance) {
     // By their number alone, so that the digits are the same for any number of threads.
-    constexpr std::size_t of_sweep = 8 * panel_width;
+    constexpr std::size_t of_sweep = 6 * panel_width;
     constexpr std::size_t most_sweeps = 8;
     // An incomplete factor is of a large mesh, whose loops are shared out, and is not copied.
     const std::size_t n_sweeps = factor_->is_exact() ? std::clamp<std::size_t>(n_heats / of_sweep, 1, most_sweeps) : 1;
