@@ -7,6 +7,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include "solver/sensitivity/adjoint_record.hpp"
 #include "tests/support/tire_section.hpp"
@@ -124,6 +125,47 @@ TEST(AdjointRecord, CoursesOfHeatDoNotMix) {
         const double size = std::sqrt(dot(alone, alone));
         for (std::size_t i = 0; i < n; ++i) {
             EXPECT_NEAR(together[h * n + i], alone[i], 1e-10 * size) << "course " << h << ", reading " << i;
+        }
+    }
+}
+
+// Two hundred courses, which several threads share: a sixth of them begins at each sixth of the run. They have the same digits on
+// any number of threads, and each answers as by itself.
+TEST(AdjointRecord, ManyCoursesHaveTheSameDigitsForAnyNumberOfThreads) {
+    constexpr std::size_t many = 200;
+    const Problem problem = tire();
+    const std::vector<double> times = every(30.0, 300.0);
+    const Prediction run = predict(problem, {.times = times});
+    AdjointRecord record(problem, times, run.step_ends);
+    ASSERT_TRUE(record.status().ok()) << record.status().message;
+    const std::vector<double> size = random_numbers(many, 3);
+    const auto take_course = [&](std::size_t h, std::size_t step, std::span<double> of_step) {
+        const bool has_begun = step >= h * 6 / many * record.n_steps() / 6;
+        std::ranges::fill(of_step, 0.0);
+        of_step[h % record.n_nodes()] = has_begun ? size[h] : 0.0;
+    };
+    const int before = omp_get_max_threads();
+    std::vector<std::vector<double>> answers;
+    for (const int threads : {1, 2, 3}) {
+        omp_set_num_threads(threads);
+        answers.push_back(record.forward(many, [&](std::size_t step, std::span<double> heat) {
+            for (std::size_t h = 0; h < many; ++h) {
+                take_course(h, step, heat.subspan(h * record.n_nodes(), record.n_nodes()));
+            }
+        }));
+    }
+    omp_set_num_threads(before);
+    ASSERT_TRUE(record.status().ok()) << record.status().message;
+    EXPECT_EQ(answers[1], answers[0]);
+    EXPECT_EQ(answers[2], answers[0]);
+    const std::size_t n = times.size() * problem.channels.size();
+    for (const std::size_t h : {std::size_t{0}, many / 2 - 1, many - 1}) {
+        const std::vector<double> alone =
+            record.forward(1, [&](std::size_t step, std::span<double> of_step) { take_course(h, step, of_step); });
+        const double length = std::sqrt(dot(alone, alone));
+        EXPECT_GT(length, 0.0);
+        for (std::size_t i = 0; i < n; ++i) {
+            EXPECT_NEAR(answers[0][h * n + i], alone[i], 1e-10 * length) << "course " << h << ", reading " << i;
         }
     }
 }
