@@ -34,7 +34,10 @@ inline Call call(const std::string& arguments, const std::filesystem::path& dire
             .err = post::read_text(scratch / "err")};
 }
 
-inline const std::string two_node = TIRETHERM_SOURCE_DIR "/cases/two_node/4000N_100kmh.toml";
+inline const std::string cases = TIRETHERM_SOURCE_DIR "/cases/";
+inline const std::string two_node = cases + "two_node/4000N_100kmh.toml";
+
+inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A strip that nothing holds back: 1e12 W/m3 heat it in one step of 50 s far beyond the 1520 degC at which its conductivity
 /// falls below zero.

@@ -15,10 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const std::string cases = TIRETHERM_SOURCE_DIR "/cases/";
-const std::string bench = cases + "practice/two_node_bench.toml --data " + cases + "practice/run1.csv";
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+const std::string bench_data = cases + "practice/two_node_bench.toml --data " + cases + "practice/run1.csv";
 
 /// Three speeds of the two-node tire.
 const std::string three = "case = \"" + two_node + R"("
@@ -94,7 +91,7 @@ TEST(Attacked, DamagedJournalOfAStudyIsMadeAnewAndToldOf) {
 
 // A list of what is to be moved and removed, as an archive may bring it along in a hidden folder.
 TEST(Attacked, PlantedListOfRemovalsIsRefusedByEveryCommand) {
-    for (const std::string& command : {std::string("run case.toml"), "compare " + bench,
+    for (const std::string& command : {std::string("run case.toml"), "compare " + bench_data,
                                        std::string("study study.toml"), std::string("validate table.toml")}) {
         const sample::Scratch scratch;
         post::replace_file(scratch / "case.toml", "include = [\"" + two_node + "\"]\n");
@@ -196,7 +193,7 @@ TEST(Attacked, FullDiskIsASentenceForEveryCommandAndLeavesNoDraft) {
     post::replace_file(scratch / "study.toml", three);
     for (const std::string& command :
          {"run " + two_node + " --mat --fields 600 --out disk/o", std::string("study study.toml --out disk/o"),
-          "identify " + bench + " --out disk/o", std::string("new 225/50R17 --out disk/o/x.toml")}) {
+          "identify " + bench_data + " --out disk/o", std::string("new 225/50R17 --out disk/o/x.toml")}) {
         int failed = 0;
         for (const std::size_t kilobytes : {0U, 1U, 2U, 4U, 8U, 12U, 20U, 32U, 48U, 80U, 128U, 200U}) {
             SCOPED_TRACE(fmt::format("{} kB free: {}", kilobytes, command));
@@ -261,8 +258,8 @@ TEST(Attacked, PlacesThatCannotBeWrittenAreRefusedBeforeComputing) {
     post::replace_file(scratch / "study.toml",
                        "case = \"slow.toml\"\n[[vary]]\nkey = \"drive.speed\"\nvalues = [\"60 km/h\"]\n");
     for (const std::string& command :
-         {std::string("run slow.toml"), std::string("study study.toml"), "compare " + bench, "identify " + bench,
-          "diagnose " + bench, std::string("new 225/50R17 --force")}) {
+         {std::string("run slow.toml"), std::string("study study.toml"), "compare " + bench_data,
+          "identify " + bench_data, "diagnose " + bench_data, std::string("new 225/50R17 --force")}) {
         for (const char* out : {"file/x", "/proc/x/y", "/dev/null/x"}) {
             const Call refused = call(fmt::format("{} --out {}", command, out), scratch.path());
             EXPECT_EQ(refused.exit_code, 1) << command;

@@ -16,8 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string library = TIRETHERM_SOURCE_DIR "/cases/";
-const std::string bench = library + "practice/two_node_bench.toml";
+const std::string bench = cases + "practice/two_node_bench.toml";
 
 /// A folder, and fits whose files go there.
 struct Fits {
@@ -52,9 +51,9 @@ std::size_t count(const std::string& text, const std::string& part) {
 /// The bench's case, its files named so that it can lie anywhere.
 std::string bench_text() {
     std::string text = post::read_text(bench);
-    text.replace(text.find("../tires"), 8, library + "tires");
+    text.replace(text.find("../tires"), 8, cases + "tires");
     for (std::size_t at = text.find("file = \""); at != std::string::npos; at = text.find("file = \"", at + 1)) {
-        text.insert(at + 8, library + "practice/");
+        text.insert(at + 8, cases + "practice/");
     }
     return text;
 }
@@ -162,7 +161,7 @@ TEST(Identify, TheFittedCaseRunsAsItIs) {
 // meant. Priors of 0.2 and 350 W/m2K come out as they went in, to five and one percent.
 TEST(Identify, SaysWhatThreeTemperaturesDoNotTell) {
     const Fits fits;
-    const Call fit = fits.identify(library + "two_node/identify_saturation.toml", "--json");
+    const Call fit = fits.identify(cases + "two_node/identify_saturation.toml", "--json");
     ASSERT_EQ(fit.exit_code, 0) << fit.err;
     const Json json = Json::parse(fit.out);
     ASSERT_EQ(json["parameters"].size(), 4u);
@@ -247,7 +246,7 @@ TEST(Identify, WrongDataAreToldAndEndWith1) {
 TEST(Identify, AFileIsNoPlaceForFiles) {
     const Fits fits;
     const std::string file = fits.written.add("taken", "a file\n").string();
-    const Call fit = call("identify " + library + "two_node/identify_saturation.toml --out " + file);
+    const Call fit = call("identify " + cases + "two_node/identify_saturation.toml --out " + file);
     EXPECT_EQ(fit.exit_code, 1);
     EXPECT_EQ(fit.err, "tiretherm: cannot create the directory " + file +
                            ": Not a directory; nothing was fitted; choose another directory with --out\n");
@@ -263,7 +262,7 @@ TEST(Identify, HelpHasAnExample) {
 // The page of cases/laser: the thesis's four temperatures fix K1 and say next to nothing of the rest.
 TEST(IdentifyLong, FourTemperaturesFixOneConductivity) {
     const Fits fits;
-    const Call fit = fits.identify(library + "laser/quoted_numbers.toml", "--json");
+    const Call fit = fits.identify(cases + "laser/quoted_numbers.toml", "--json");
     ASSERT_EQ(fit.exit_code, 0) << fit.err;
     const Json json = Json::parse(fit.out);
     EXPECT_NEAR(number(json, "K1.conductivity at 90 degC")["value"], 1.204, 0.005);
@@ -277,7 +276,7 @@ TEST(IdentifyLong, FourTemperaturesFixOneConductivity) {
 // of 100 experiments; these data are fixed.
 TEST(IdentifyLong, TheLasersIntervalsHoldTheTruth) {
     const Fits fits;
-    const Call fit = fits.identify(library + "laser/identify.toml", "--json");
+    const Call fit = fits.identify(cases + "laser/identify.toml", "--json");
     ASSERT_EQ(fit.exit_code, 0) << fit.err;
     const Json json = Json::parse(fit.out);
     constexpr std::array truth{0.50, 0.95, 1.30, 0.066, 0.075, 0.082, 0.95, 5.60e-3, 11.0, 8.5, 0.4, -0.3, 0.2};

@@ -14,10 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string cases = TIRETHERM_SOURCE_DIR "/cases/";
 const std::string practice_bench = cases + "practice/two_node_bench.toml";
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A case with two measured runs whose steps are so small that a simulation takes minutes.
 void write_slow_bench(const fs::path& folder) {

@@ -12,11 +12,9 @@
 namespace tiretherm::app_test {
 namespace {
 
-const std::string cases_to_resume = TIRETHERM_SOURCE_DIR "/cases/";
-
 /// A run of some seconds with sensors that lag, fields, hot spots and steps that the error chooses.
 std::string long_run() {
-    return "include = [\"" + cases_to_resume + R"(section/4000N_100kmh.toml"]
+    return "include = [\"" + cases + R"(section/4000N_100kmh.toml"]
 [time]
 end = "3600 s"
 tolerance = "1e-6 K"
@@ -33,11 +31,11 @@ std::string study_of(int runs) {
     return fmt::format(
         "case = \"{}two_node/4000N_100kmh.toml\"\n[[vary]]\nkey = \"drive.speed\"\nfrom = \"60 km/h\"\nto = "
         "\"120 km/h\"\ncount = {}\n[[vary]]\nkey = \"time.step\"\nvalues = [\"0.25 s\"]\n",
-        cases_to_resume, runs);
+        cases, runs);
 }
 
 std::string data_option(const std::string& name) {
-    const std::string file = cases_to_resume + "practice/" + name;
+    const std::string file = cases + "practice/" + name;
     return " --data " + file + "1.csv --data " + file + "2.csv --data " + file + "3.csv";
 }
 
@@ -48,11 +46,10 @@ struct Killed {
 };
 
 std::vector<Killed> commands() {
-    return {
-        {"run", "run run.toml --out o"},
-        {"identify", "identify " + cases_to_resume + "practice/two_node_bench.toml --out o" + data_option("run")},
-        {"diagnose", "diagnose " + cases_to_resume + "practice/two_node_bench.toml --out o" + data_option("puzzle")},
-        {"study", "study study.toml --threads 2 --out o"}};
+    return {{"run", "run run.toml --out o"},
+            {"identify", "identify " + cases + "practice/two_node_bench.toml --out o" + data_option("run")},
+            {"diagnose", "diagnose " + cases + "practice/two_node_bench.toml --out o" + data_option("puzzle")},
+            {"study", "study study.toml --threads 2 --out o"}};
 }
 
 void write_cases(const std::filesystem::path& folder) {

@@ -53,9 +53,9 @@ double truth_of(const solver::FreeParameter& parameter) {
 }
 
 /// The case with its true numbers as the start, the truth without noise in the place of the readings.
-class LaserBench {
+class ImagedBench {
 public:
-    LaserBench() {
+    ImagedBench() {
         input::ExperimentReading reading = input::read_experiment(input::source_folder() / "cases/laser/identify.toml");
         EXPECT_TRUE(reading.experiment) << input::error_report(reading);
         experiment_ = std::move(*reading.experiment);
@@ -182,7 +182,7 @@ private:
 }  // namespace
 
 TEST(LaserRecoveryLong, IntervalsOfTheConductivitiesHoldTheTruthNineteenTimesOfTwenty) {
-    const LaserBench bench;
+    const ImagedBench bench;
     const input::Experiment first = bench.measure(0);
     const Plane plane(first, bench.truth());
     constexpr double wide = 1.959964;

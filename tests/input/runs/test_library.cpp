@@ -17,7 +17,7 @@ namespace tiretherm::input {
 
 namespace {
 
-constexpr double zero = 273.15;
+constexpr double ice_point = 273.15;
 using std::numbers::pi;
 
 solver::Problem read_library(std::string_view name) {
@@ -132,8 +132,8 @@ TEST(Library, TwoNodeIsTheThesissTire) {
     EXPECT_NEAR(problem.mesh.volume[1] * 1100.0, 0.85 * 6.173, 5e-4);
     EXPECT_NEAR(problem.mesh.links.at(0).length, 0.010, 1e-15);
     ASSERT_EQ(problem.link_laws.size(), 1U);
-    EXPECT_NEAR(problem.link_laws[0].value(zero + 20.0), 0.29, 1e-12);
-    EXPECT_NEAR(problem.link_laws[0].value(zero + 90.0), 0.29 + 70.0 * 0.00943, 1e-12);
+    EXPECT_NEAR(problem.link_laws[0].value(ice_point + 20.0), 0.29, 1e-12);
+    EXPECT_NEAR(problem.link_laws[0].value(ice_point + 90.0), 0.29 + 70.0 * 0.00943, 1e-12);
     ASSERT_EQ(problem.materials.size(), 2U);
     EXPECT_DOUBLE_EQ(problem.materials[1].density, 1100.0);
     EXPECT_DOUBLE_EQ(problem.materials[1].heat_capacity.value(300.0), 1800.0);
@@ -141,7 +141,7 @@ TEST(Library, TwoNodeIsTheThesissTire) {
                                                           "air_convection", "road_contact"}));
     EXPECT_EQ(channels(problem), (std::vector<std::string>{"surface_temperature", "bulk_temperature"}));
     EXPECT_EQ(problem.channels[1].where.nodes, std::vector<int>{1});
-    EXPECT_EQ(problem.initial, (std::vector<double>{zero + 23.0, zero + 23.0}));
+    EXPECT_EQ(problem.initial, (std::vector<double>{ice_point + 23.0, ice_point + 23.0}));
     EXPECT_DOUBLE_EQ(problem.settings.end, 3600.0);
     EXPECT_DOUBLE_EQ(problem.settings.output_interval, 10.0);
     EXPECT_DOUBLE_EQ(problem.symmetry, 1.0);
@@ -162,12 +162,12 @@ TEST(Library, TwoNodeCasesDifferInLoadSpeedAndMeasurement) {
         const physics::Inputs inputs = problem.input_signals.at(1800.0, solver::JumpSide::after);
         EXPECT_NEAR(inputs.speed, row.speed, 1e-13);
         EXPECT_DOUBLE_EQ(inputs.vertical_load, row.load);
-        EXPECT_DOUBLE_EQ(inputs.air_temperature, zero + 23.0);
-        EXPECT_DOUBLE_EQ(inputs.road_temperature, zero + 23.0);
+        EXPECT_DOUBLE_EQ(inputs.air_temperature, ice_point + 23.0);
+        EXPECT_DOUBLE_EQ(inputs.road_temperature, ice_point + 23.0);
         ASSERT_EQ(problem.measured.size(), 1U);
         EXPECT_EQ(problem.measured[0].channel, "bulk_temperature");
-        EXPECT_DOUBLE_EQ(problem.measured[0].low, zero + row.bulk);
-        EXPECT_DOUBLE_EQ(problem.measured[0].high, zero + row.bulk);
+        EXPECT_DOUBLE_EQ(problem.measured[0].low, ice_point + row.bulk);
+        EXPECT_DOUBLE_EQ(problem.measured[0].high, ice_point + row.bulk);
         EXPECT_DOUBLE_EQ(problem.measured[0].time, 3600.0);
     }
 }
@@ -185,10 +185,10 @@ TEST(Library, LaserCasesAreAxisymmetricWithTwoLayers) {
         EXPECT_NEAR(problem.mesh.total_volume(), pi * 0.06 * 0.06 * 0.012, 1e-12);
         const physics::Curve& K1 = problem.materials[0].along(mesh::Axis::through);
         const physics::Curve& K2 = problem.materials[1].along(mesh::Axis::meridian);
-        EXPECT_NEAR(K1.value(zero + 20.0), 0.29, 1e-12);
-        EXPECT_NEAR(K1.value(zero + 90.0), 0.95, 1e-12);
-        EXPECT_NEAR(K2.value(zero + 20.0), 0.06, 1e-12);
-        EXPECT_NEAR(K2.value(zero + 90.0), 0.075, 1e-12);
+        EXPECT_NEAR(K1.value(ice_point + 20.0), 0.29, 1e-12);
+        EXPECT_NEAR(K1.value(ice_point + 90.0), 0.95, 1e-12);
+        EXPECT_NEAR(K2.value(ice_point + 20.0), 0.06, 1e-12);
+        EXPECT_NEAR(K2.value(ice_point + 90.0), 0.075, 1e-12);
         EXPECT_EQ(effects(problem), (std::vector<std::string>{"conduction", "laser", "still_air"}));
         EXPECT_NEAR(effect(problem, "laser")[0], std::sqrt(1e-4 / pi), 1e-7);
         double shares = 0.0;
@@ -202,8 +202,8 @@ TEST(Library, LaserCasesAreAxisymmetricWithTwoLayers) {
                                                                "inner_liner_temperature"}));
         EXPECT_DOUBLE_EQ(problem.settings.end, 1800.0);
         ASSERT_EQ(problem.measured.size(), 2U);
-        EXPECT_DOUBLE_EQ(problem.measured[1].low, zero + low);
-        EXPECT_DOUBLE_EQ(problem.measured[1].high, zero + high);
+        EXPECT_DOUBLE_EQ(problem.measured[1].low, ice_point + low);
+        EXPECT_DOUBLE_EQ(problem.measured[1].high, ice_point + high);
     }
 }
 
@@ -249,7 +249,7 @@ TEST(Library, SaturationHoldsThreeNumbersAgainstFour) {
     const std::vector<double> uncertainty{2.8, 2.8, 3.6};
     for (std::size_t i = 0; i < 3; ++i) {
         ASSERT_EQ(saturation.runs[i].numbers.size(), 1U);
-        EXPECT_NEAR(saturation.runs[i].numbers[0].value, zero + bulk[i], 1e-12);
+        EXPECT_NEAR(saturation.runs[i].numbers[0].value, ice_point + bulk[i], 1e-12);
         EXPECT_DOUBLE_EQ(saturation.runs[i].numbers[0].standard_deviation, uncertainty[i]);
         EXPECT_DOUBLE_EQ(saturation.runs[i].numbers[0].time, 3600.0);
     }
@@ -265,8 +265,8 @@ TEST(Library, QuotedLaserNumbersAreFour) {
     const Experiment quoted = read_measured("laser/quoted_numbers");
     ASSERT_EQ(quoted.runs.size(), 2U);
     ASSERT_EQ(quoted.runs[0].numbers.size(), 2U);
-    EXPECT_NEAR(quoted.runs[0].numbers[0].value, zero + 85.0, 1e-12);
-    EXPECT_NEAR(quoted.runs[0].numbers[1].value, zero + 45.0, 1e-12);
+    EXPECT_NEAR(quoted.runs[0].numbers[0].value, ice_point + 85.0, 1e-12);
+    EXPECT_NEAR(quoted.runs[0].numbers[1].value, ice_point + 45.0, 1e-12);
     EXPECT_NEAR(quoted.runs[0].numbers[1].standard_deviation, std::hypot(2.8, 10.0 / std::sqrt(12.0)), 1e-12);
     EXPECT_DOUBLE_EQ(quoted.runs[1].problem.input_signals.at(0.0, solver::JumpSide::after).laser_power, 3.0);
     EXPECT_EQ(free_numbers(quoted),
@@ -310,8 +310,8 @@ TEST(Library, SlabsAreTheReferenceProblem) {
     EXPECT_NEAR(shares, 0.25, 1e-12);
 
     const solver::Problem nonlinear = read_library("reference/slab_nonlinear");
-    EXPECT_NEAR(nonlinear.materials[0].conductivity[2].value(zero + 100.0), 0.29 + 0.0094 * 80.0, 1e-12);
-    EXPECT_NEAR(nonlinear.materials[1].conductivity[2].value(zero + 100.0), 0.060 + 0.0002 * 80.0, 1e-12);
+    EXPECT_NEAR(nonlinear.materials[0].conductivity[2].value(ice_point + 100.0), 0.29 + 0.0094 * 80.0, 1e-12);
+    EXPECT_NEAR(nonlinear.materials[1].conductivity[2].value(ice_point + 100.0), 0.060 + 0.0002 * 80.0, 1e-12);
     EXPECT_DOUBLE_EQ(nonlinear.settings.end, 600.0);
 
     const solver::Problem round = read_library("reference/slab_axisymmetric");

@@ -13,20 +13,20 @@ namespace tiretherm::input {
 
 namespace {
 
-std::filesystem::path folder() { return expected::folder() / "study"; }
+std::filesystem::path studies() { return expected::folder() / "study"; }
 
 class BadStudy : public testing::TestWithParam<std::string> {};
 
 }  // namespace
 
 TEST_P(BadStudy, IsExplainedToTheCharacter) {
-    const StudyReading reading = read_study(folder() / (GetParam() + ".toml"));
+    const StudyReading reading = read_study(studies() / (GetParam() + ".toml"));
     EXPECT_FALSE(reading.study.has_value());
     const std::string report = render(CaseFindings{.errors = reading.errors, .warnings = reading.warnings});
-    EXPECT_EQ(expected::relative(report), expected::text_of(folder() / (GetParam() + ".txt")));
+    EXPECT_EQ(expected::relative(report), expected::text_of(studies() / (GetParam() + ".txt")));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BadStudy, testing::ValuesIn(expected::names(folder())),
+INSTANTIATE_TEST_SUITE_P(All, BadStudy, testing::ValuesIn(expected::names(studies())),
                          [](const auto& bad) { return bad.param; });
 
 TEST(BadStudyFile, ThatIsNotThere) {

@@ -11,7 +11,7 @@
 namespace tiretherm::post {
 namespace {
 
-std::size_t count(std::string_view text, std::string_view what) {
+std::size_t occurrences(std::string_view text, std::string_view what) {
     std::size_t n = 0;
     for (std::size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + what.size())) {
         ++n;
@@ -42,27 +42,28 @@ Report sample() {
 
 TEST(HtmlPage, NamesOfTheUserStayText) {
     const std::string page = own_part(sample());
-    EXPECT_EQ(count(page, "<b>tire"), 0u);
-    EXPECT_EQ(count(page, "A &lt;b&gt;tire&lt;/b&gt; &amp; &quot;rim&quot;"), 2u);  // title of the window, heading
+    EXPECT_EQ(occurrences(page, "<b>tire"), 0u);
+    EXPECT_EQ(occurrences(page, "A &lt;b&gt;tire&lt;/b&gt; &amp; &quot;rim&quot;"),
+              2u);  // title of the window, heading
     // Of the data of the chart and of its name; the one that is left ends the data.
-    EXPECT_EQ(count(page, "</script>"), 1u);
-    EXPECT_EQ(count(page, "<script>"), 0u);
+    EXPECT_EQ(occurrences(page, "</script>"), 1u);
+    EXPECT_EQ(occurrences(page, "<script>"), 0u);
 }
 
 TEST(HtmlPage, SectionsTablesListsAndCharts) {
     const std::string page = own_part(sample());
-    EXPECT_EQ(count(page, "<h2>Heat budget</h2>"), 1u);
-    EXPECT_EQ(count(page, "<a href=\"#heat-budget\">"), 1u);
-    EXPECT_EQ(count(page, "<li>"), 2u);
-    EXPECT_EQ(count(page, "<ul>"), 1u);
-    EXPECT_EQ(count(page, "<td class=\"right\">80.00</td>"), 1u);
-    EXPECT_EQ(count(page, "<figure class=\"chart\""), 1u);
+    EXPECT_EQ(occurrences(page, "<h2>Heat budget</h2>"), 1u);
+    EXPECT_EQ(occurrences(page, "<a href=\"#heat-budget\">"), 1u);
+    EXPECT_EQ(occurrences(page, "<li>"), 2u);
+    EXPECT_EQ(occurrences(page, "<ul>"), 1u);
+    EXPECT_EQ(occurrences(page, "<td class=\"right\">80.00</td>"), 1u);
+    EXPECT_EQ(occurrences(page, "<figure class=\"chart\""), 1u);
 }
 
 TEST(HtmlPage, DegreesAreWrittenAsOnAThermometer) {
     const std::string page = own_part(sample());
-    EXPECT_EQ(count(page, "degC"), 0u);
-    EXPECT_EQ(count(page, "°C"), 2u);
+    EXPECT_EQ(occurrences(page, "degC"), 0u);
+    EXPECT_EQ(occurrences(page, "°C"), 2u);
 }
 
 std::string without_breaks(std::string page) {
@@ -77,23 +78,24 @@ TEST(HtmlPage, NamesOfFilesStayAsTheyAre) {
     for (const char* name : {"log_degC.csv", "degC.csv", "degC log.csv", "in degC.csv", "5 degCs.csv", "a/degC/b.csv",
                              "[degC]x.csv", "Tire degC_2"}) {
         Report report{.title = name};
-        EXPECT_EQ(count(without_breaks(own_part(report)), name), 2u) << name;
+        EXPECT_EQ(occurrences(without_breaks(own_part(report)), name), 2u) << name;
     }
     for (const auto& [text, shown] :
          {std::pair("T [degC]", "T [°C]"), std::pair("80.5 degC, 3 K", "80.5 °C, 3 K"), std::pair("in degC", "in °C"),
           std::pair("8 degC/s", "8 °C/s"), std::pair("90 degC.", "90 °C."), std::pair("(degC)", "(°C)")}) {
         Report report{.title = text};
-        EXPECT_EQ(count(own_part(report), shown), 2u) << text;
+        EXPECT_EQ(occurrences(own_part(report), shown), 2u) << text;
     }
     Report turned{.title = "log_\u202Evsc.exe \u2066x"};
-    EXPECT_EQ(count(without_breaks(own_part(turned)), "log_ vsc.exe  x"), 2u);
+    EXPECT_EQ(occurrences(without_breaks(own_part(turned)), "log_ vsc.exe  x"), 2u);
 }
 
 TEST(HtmlPage, NothingIsFetched) {
     const std::string page = html_page(sample(), {.kind = "run", .source = "a.toml"});
-    EXPECT_EQ(count(page, "src="), count(assets::charting_library(), "src=") + count(assets::script(), "src="));
-    EXPECT_EQ(count(own_part(sample()), "<link"), 0u);
-    EXPECT_EQ(count(own_part(sample()), "http"), 0u);
+    EXPECT_EQ(occurrences(page, "src="),
+              occurrences(assets::charting_library(), "src=") + occurrences(assets::script(), "src="));
+    EXPECT_EQ(occurrences(own_part(sample()), "<link"), 0u);
+    EXPECT_EQ(occurrences(own_part(sample()), "http"), 0u);
     EXPECT_LT(page.size(), 1'000'000u);
 }
 
@@ -119,8 +121,8 @@ TEST(HtmlPage, TheVerdictStandsBelowTheTitleAndTheFilesAtTheEnd) {
     EXPECT_LT(verdict, page.find("<p class=\"lead\">"));
     EXPECT_LT(page.find("<h2>Heat budget</h2>"), page.find("<h2>What to cite</h2>"));
     EXPECT_LT(page.find("<h2>What to cite</h2>"), page.find("<h2>Files and versions</h2>"));
-    EXPECT_EQ(count(page, ">log.csv</td>"), 1u);
-    EXPECT_EQ(count(page, ">a.toml</td>"), 1u);  // once, as the case file
+    EXPECT_EQ(occurrences(page, ">log.csv</td>"), 1u);
+    EXPECT_EQ(occurrences(page, ">a.toml</td>"), 1u);  // once, as the case file
     EXPECT_TRUE(page_text(report, false).starts_with(report.title + "\nHottest: 80 degC.\n"));
 }
 
@@ -128,9 +130,9 @@ TEST(HtmlPage, TheVerdictStandsBelowTheTitleAndTheFilesAtTheEnd) {
 TEST(HtmlPage, AVerdictWithASectionOfItsOwnIsSaidOnce) {
     Report report = sample();
     report.add_verdict({"One cause: rim.", "Confidence: none."});
-    EXPECT_EQ(count(own_part(report), "Confidence: none."), 1u);
-    EXPECT_EQ(count(own_part(report), "<h2>Verdict</h2>"), 0u);
-    EXPECT_EQ(count(page_text(report, false), "Confidence: none."), 1u);
+    EXPECT_EQ(occurrences(own_part(report), "Confidence: none."), 1u);
+    EXPECT_EQ(occurrences(own_part(report), "<h2>Verdict</h2>"), 0u);
+    EXPECT_EQ(occurrences(page_text(report, false), "Confidence: none."), 1u);
     EXPECT_NE(page_text(report, false).find("Verdict\n  One cause: rim.\n"), std::string::npos);
 }
 
@@ -142,9 +144,9 @@ TEST(HtmlPage, LongNamesFitANarrowScreen) {
     table.add({page_only("channel", "effects.tan_delta_a"), page_only("speed", "57.5 km/h, 0.3 W/mK")});
     report.add(ReportSection("Channels", std::move(table)));
     const std::string page = own_part(report);
-    EXPECT_EQ(count(page, "<td>effects.<wbr>tan_<wbr>delta_<wbr>a</td>"), 1u) << page;
-    EXPECT_EQ(count(page, "<td>57.5 km/h, 0.3 W/mK</td>"), 1u) << page;
-    EXPECT_EQ(count(html_page(report, {}), "<h1>A test (durability/un_<wbr>r30)</h1>"), 1u);
+    EXPECT_EQ(occurrences(page, "<td>effects.<wbr>tan_<wbr>delta_<wbr>a</td>"), 1u) << page;
+    EXPECT_EQ(occurrences(page, "<td>57.5 km/h, 0.3 W/mK</td>"), 1u) << page;
+    EXPECT_EQ(occurrences(html_page(report, {}), "<h1>A test (durability/un_<wbr>r30)</h1>"), 1u);
 }
 
 }  // namespace

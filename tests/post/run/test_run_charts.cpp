@@ -13,14 +13,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Drawn {
+struct DrawnChart {
     Json chart;
     std::string caption;
 };
 
 /// The first chart that a function adds for the sample; nothing where it adds none.
 template <typename Add>
-Drawn drawn(Add add, const solver::Problem& problem = sample::problem()) {
+DrawnChart drawn(Add add, const solver::Problem& problem = sample::problem()) {
     const solver::MarchReport report = sample::report();
     const History history = sample::history(problem);
     const RunRecord run{.problem = problem,
@@ -31,19 +31,19 @@ Drawn drawn(Add add, const solver::Problem& problem = sample::problem()) {
                         .files = {}};
     ReportSection section("page");
     add(section, run);
-    return section.blocks().empty()
-               ? Drawn{}
-               : Drawn{Json::parse(compact_json(section.blocks().front().chart)), section.blocks().front().caption};
+    return section.blocks().empty() ? DrawnChart{}
+                                    : DrawnChart{Json::parse(compact_json(section.blocks().front().chart)),
+                                                 section.blocks().front().caption};
 }
 
-Drawn sensors(const solver::Problem& problem = sample::problem()) {
+DrawnChart sensors(const solver::Problem& problem = sample::problem()) {
     return drawn([](ReportSection& section, const RunRecord& run) { add_channel_charts(section, std::span(&run, 1)); },
                  problem);
 }
 
 // Rows at 0, 30 and 60 s; the spot goes from 23 to 97.5 degC. The liner was measured as 37 to 47 degC after 30 s.
 TEST(RunCharts, SensorsStandBesideWhatWasMeasuredOfThem) {
-    const Drawn page = sensors();
+    const DrawnChart page = sensors();
     const Json& panels = page.chart["panels"];
     ASSERT_EQ(panels.size(), 1U);
     const Json& series = panels[0]["series"];
@@ -75,7 +75,7 @@ TEST(RunCharts, ARunWithoutSensorsHasNoChartOfThem) {
 
 // Conduction makes no heat of its own and is left out. The laser brings 1 W, the air takes 0.25: the sum is 0.75 W.
 TEST(RunCharts, HeatHasACurveForEachPathThatDoesAnythingAndTheirSum) {
-    const Drawn page = drawn(add_heat_course);
+    const DrawnChart page = drawn(add_heat_course);
     const Json& panel = page.chart["panels"][0];
     EXPECT_EQ(panel["name"], "heat into it");
     EXPECT_EQ(panel["unit"], "W");
