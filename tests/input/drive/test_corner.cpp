@@ -43,7 +43,7 @@ columns = { Fz_RL = "vertical_load", S_RL = "surface_temperature" }
 file = "laps.csv"
 )";
 
-ExperimentReading read_corners(const Written& written, const std::string& tables) {
+ExperimentReading read_with_corners(const Written& written, const std::string& tables) {
     written.add("laps.csv", car_log);
     return read_experiment(written.add("case.toml", std::string(bench) + tables));
 }
@@ -70,7 +70,7 @@ const solver::FreeParameter& parameter(const Experiment& experiment, const std::
 // Each corner is a run of its own with its columns: 4200, 2800 and 2500 N at 5 s. The speed is that of all.
 TEST(Corner, HasColumnsInputsAndSensorsOfItsOwn) {
     const Written written;
-    const ExperimentReading reading = read_corners(written, corners);
+    const ExperimentReading reading = read_with_corners(written, corners);
     ASSERT_TRUE(reading.experiment) << said(reading, written);
     EXPECT_EQ(said(reading, written), "warning: case.toml:31: no active effect and no sensor uses camber\n");
     const std::vector<MeasuredRun>& runs = reading.experiment->runs;
@@ -96,7 +96,7 @@ TEST(Corner, HasColumnsInputsAndSensorsOfItsOwn) {
 TEST(Corner, MayStartElsewhereInOneRun) {
     const Written written;
     const ExperimentReading reading =
-        read_corners(written, corners + "corner = { FR = { initial = { temperature = \"40 degC\" } } }\n");
+        read_with_corners(written, corners + "corner = { FR = { initial = { temperature = \"40 degC\" } } }\n");
     ASSERT_TRUE(reading.experiment) << said(reading, written);
     EXPECT_NEAR(reading.experiment->runs[0].problem.initial.front(), 296.15, 1e-9);
     EXPECT_NEAR(reading.experiment->runs[1].problem.initial.front(), 313.15, 1e-9);
@@ -107,8 +107,8 @@ TEST(Corner, MayStartElsewhereInOneRun) {
 TEST(Corner, ParametersAreOfAllOfAnAxleOfASideOrOwn) {
     const auto with = [&](const std::string& each) {
         const Written written;
-        const ExperimentReading reading =
-            read_corners(written, corners + "[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\n" + each);
+        const ExperimentReading reading = read_with_corners(
+            written, corners + "[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\n" + each);
         EXPECT_TRUE(reading.experiment) << said(reading, written);
         return reading.experiment.value_or(Experiment{});
     };
@@ -130,10 +130,10 @@ TEST(Corner, ParametersAreOfAllOfAnAxleOfASideOrOwn) {
 // Fitted values of corners go to their tables, starts of corners to their run: read again they give the fitted problems.
 TEST(Corner, FittedValuesAreReadAgain) {
     const Written written;
-    const ExperimentReading reading =
-        read_corners(written, corners +
-                                  "[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\neach = \"axle\"\n"
-                                  "[[parameter]]\ninitial = \"temperature\"\n");
+    const ExperimentReading reading = read_with_corners(
+        written, corners +
+                     "[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\neach = \"axle\"\n"
+                     "[[parameter]]\ninitial = \"temperature\"\n");
     ASSERT_TRUE(reading.experiment) << said(reading, written);
     const Experiment& experiment = *reading.experiment;
     ASSERT_EQ(experiment.parameters.size(), 5U);
@@ -177,12 +177,12 @@ TEST(Corner, FittedValuesAreReadAgain) {
 TEST(Corner, IsLeftOutWhereNothingIsMeasured) {
     const std::string rear_right = "[[corner]]\nname = \"RR\"\ncolumns = { Fz_RR = \"vertical_load\" }\n";
     const Written written;
-    const ExperimentReading reading = read_corners(written, rear_right + corners);
+    const ExperimentReading reading = read_with_corners(written, rear_right + corners);
     ASSERT_TRUE(reading.experiment) << said(reading, written);
     EXPECT_EQ(reading.experiment->runs.size(), 3U);
     EXPECT_NE(said(reading, written).find("the run laps measures nothing at RR: left out"), std::string::npos)
         << said(reading, written);
-    const ExperimentReading nothing = read_corners(written, rear_right + "[[run]]\nfile = \"laps.csv\"\n");
+    const ExperimentReading nothing = read_with_corners(written, rear_right + "[[run]]\nfile = \"laps.csv\"\n");
     EXPECT_FALSE(nothing.experiment);
     EXPECT_NE(said(nothing, written).find("no corner of the run laps measures anything"), std::string::npos)
         << said(nothing, written);
@@ -247,7 +247,7 @@ TEST(Corner, TheWordsOfAWarningDoNotSayWhereItIs) {
 
 TEST(Corner, MistakesAreNamed) {
     const Written written;
-    const ExperimentReading reading = read_corners(written, R"([[corner]]
+    const ExperimentReading reading = read_with_corners(written, R"([[corner]]
 name = "front_left"
 [[corner]]
 name = "FL"
@@ -266,7 +266,7 @@ each = "corner"
                              "\"RX\" is not a corner", "cannot differ from one corner to the other"}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     }
-    const ExperimentReading without = read_corners(
+    const ExperimentReading without = read_with_corners(
         written,
         "[[run]]\nfile = \"laps.csv\"\ncolumns = { Fz_FL = \"vertical_load\", S_FL = \"surface_temperature\" }\n"
         "[effects.air_convection]\n[[parameter]]\neffect = \"air_convection\"\nkey = \"lambda_h\"\neach = \"axle\"\n");
@@ -280,7 +280,7 @@ TEST(Pyrometer, GivesNumbersToItsRunAndCorner) {
     const std::string stop =
         "[[pyrometer]]\nuncertainty = \"2 K\"\ntime = \"4 s\"\nFL = [\"40 degC\", \"41 degC\", \"45 "
         "degC\"]\nFR = \"38 degC\"\nsensors = ";
-    const ExperimentReading reading = read_corners(written, corners + stop + "[\"bulk_temperature\"]\n");
+    const ExperimentReading reading = read_with_corners(written, corners + stop + "[\"bulk_temperature\"]\n");
     ASSERT_TRUE(reading.experiment) << said(reading, written);
     const std::vector<MeasuredRun>& runs = reading.experiment->runs;
     ASSERT_EQ(runs[0].numbers.size(), 1U);
@@ -292,7 +292,7 @@ TEST(Pyrometer, GivesNumbersToItsRunAndCorner) {
     ASSERT_EQ(runs[1].numbers.size(), 1U);
     EXPECT_NEAR(runs[1].numbers[0].value, 273.15 + 38.0, 1e-9);
     EXPECT_TRUE(runs[2].numbers.empty());
-    const ExperimentReading two = read_corners(
+    const ExperimentReading two = read_with_corners(
         written, corners + replaced(stop, ", \"45 degC\"", "") + "[\"surface_temperature\", \"bulk_temperature\"]\n");
     EXPECT_TRUE(said(two, written)
                     .starts_with("case.toml:45:6: FR has 1 value for 2 sensors\n    FR = \"38 degC\"\n         "
@@ -303,12 +303,13 @@ TEST(Pyrometer, GivesNumbersToItsRunAndCorner) {
 // A sensor looks at one tire: its column at two corners is one of them mistaken for the other.
 TEST(Corner, TwoCornersOnOneColumnAreTold) {
     const Written written;
-    const std::string said_of_two = said(read_corners(written, replaced(corners, "S_FR = \"", "S_FL = \"")), written);
+    const std::string said_of_two =
+        said(read_with_corners(written, replaced(corners, "S_FR = \"", "S_FL = \"")), written);
     EXPECT_NE(said_of_two.find("the column S_FL is surface_temperature of FL and FR: it belongs to one tire"),
               std::string::npos)
         << said_of_two;
     const std::string said_of_misspelt =
-        said(read_corners(written, replaced(corners, "S_FR = \"", "S_FX = \"")), written);
+        said(read_with_corners(written, replaced(corners, "S_FR = \"", "S_FX = \"")), written);
     EXPECT_NE(said_of_misspelt.find("no file of a [[run]] has the column \"S_FX\""), std::string::npos)
         << said_of_misspelt;
 }

@@ -138,11 +138,12 @@ TEST(AdjointRecord, ManyCoursesHaveTheSameDigitsForAnyNumberOfThreads) {
     const Prediction run = predict(problem, {.times = times});
     AdjointRecord record(problem, times, run.step_ends);
     ASSERT_TRUE(record.status().ok()) << record.status().message;
-    const std::vector<double> size = random_numbers(many, 3);
+    const std::vector<double> watts = random_numbers(many * record.n_nodes(), 3);
     const auto take_course = [&](std::size_t h, std::size_t step, std::span<double> of_step) {
         const bool has_begun = step >= h * 6 / many * record.n_steps() / 6;
-        std::ranges::fill(of_step, 0.0);
-        of_step[h % record.n_nodes()] = has_begun ? size[h] : 0.0;
+        for (std::size_t i = 0; i < of_step.size(); ++i) {
+            of_step[i] = has_begun ? watts[h * of_step.size() + i] : 0.0;
+        }
     };
     const int before = omp_get_max_threads();
     std::vector<std::vector<double>> answers;
