@@ -305,7 +305,7 @@ struct DiagnosisOptions {
     /// The same experiment on a grid of half the spacing (read_experiment with finer = 2), where the model has a grid: what
     /// changes is taken for the grid's error and corrected.
     const input::Experiment* finer = nullptr;
-    bool only_verdict = false;          ///< neither missing heat is estimated nor the next experiment planned
+    bool only_verdict = false;          ///< no missing heat, no name of its window, no next experiment
     std::vector<RicherModel> richer{};  ///< the same experiment on richer meshes, that coarseness may be a cause
     /// On grids that are finer than `finer`, taken only where the grid is too coarse to diagnose the data.
     std::vector<RicherModel> much_finer{};

@@ -131,7 +131,7 @@ struct FullModel {
 /// What leaving one fold out gave.
 struct FoldErrors {
     std::optional<Eigen::VectorXd> values{};  ///< that the rest gave; nothing where it was not fitted
-    Eigen::VectorXd left{};                   ///< [n_test] SI; empty where a fit failed
+    std::optional<Eigen::VectorXd> left{};    ///< [n_test] SI; nothing where a fit failed
     long simulations = 0;
 };
 
@@ -150,6 +150,7 @@ FoldErrors leave_out(const Fold& fold, const FullModel& all, bool fitted) {
         } else if (fit.move_to(start) || fit.move_to(Eigen::VectorXd(all.full.values))) {
             values = refit(fit, few_iterations).values;
         } else {
+            found.simulations += fit.simulator().simulations();
             return found;
         }
         found.simulations += fit.simulator().simulations();
@@ -281,12 +282,12 @@ HeldOutErrors held_out(const input::Experiment& model, const Observations& obser
     for (std::size_t f = 0; f < folds.size(); ++f) {
         FoldErrors& one = of_fold[f];
         found.simulations += one.simulations;
-        found.ok = found.ok && one.left.size() > 0;
+        found.ok = found.ok && one.left.has_value();
         if (one.values) {
             found.values.push_back(std::move(*one.values));
         }
-        if (one.left.size() > 0) {
-            found.left(folds[f].test) = one.left;
+        if (one.left) {
+            found.left(folds[f].test) = *one.left;
         }
     }
     return found;

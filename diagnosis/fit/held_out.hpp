@@ -48,7 +48,7 @@ struct HeldOutErrors {
 /// The index into Observations::channels of every row; -1 of quoted numbers. @returns [n_rows]
 [[nodiscard]] std::vector<int> noise_of_rows(const Observations& observations);
 
-/// Leaves out each fold in turn. The shared numbers are fitted to the rest in full, by steps of Gauss and Newton within
+/// Leaves out each fold, several at a time. The shared numbers are fitted to the rest in full, by steps of Gauss and Newton within
 /// their bounds, and how the run that is left out started to itself; what is left of it is simulated, not extrapolated.
 /// @param full the model fitted to everything, where each fold starts  @param steps [n_runs] s, of every run
 /// @param fitted false: the shared numbers keep the values of `full`, only starts are fitted

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tangent of the steps of a record, several groups of heats at the same time.
 #include <algorithm>
-#include <cassert>
+#include <string>
+#include <utility>
 
 #include "mesh/index.hpp"
 #include "mesh/parallel.hpp"
@@ -11,8 +12,8 @@
 
 namespace tiretherm::solver {
 
-/// The tangent of the steps of a record for some heats that stand together, with a factor of its own: several such sweeps take a
-/// step at the same time.
+/// The tangent of the steps of a record for some heats that stand together: several such sweeps take a step at the
+/// same time. All but the first have a factor of their own.
 class AdjointRecord::ForwardSweep {
 public:
     /// @param first, n_heats of the heats
@@ -47,9 +48,9 @@ public:
         take_explicit_stage(heat);
         Factor& factor = factor_ ? *factor_ : *record_->factor_;
         if (factor_) {
-            // The record has made the same factor.
-            [[maybe_unused]] const std::string wrong = factor_->factorise_again(record_->factor_->values());
-            assert(wrong.empty());
+            if (std::string wrong = factor_->factorise_again(record_->factor_->values()); !wrong.empty()) {
+                status_ = {Outcome::not_positive_definite, std::move(wrong)};
+            }
         }
         for (std::size_t stage = 1; stage < S_.size() && status_.ok(); ++stage) {
             take_implicit_stage(stage, k, heat, factor);
@@ -73,12 +74,13 @@ private:
         const System& system = record_->stepper_.system();
         const Operator& now = record_->now_;
         const std::size_t all = n_begun_ * n_;
+        const double per_s = 1.0 / now.s;
         status_ = settling_.settle(now.J.front(), heat, now.s, of_surfaces(tolerance_), std::span(S_[0]).first(all));
         now.J[0].multiply_block(S_[0], right_, n_begun_);
         for (std::size_t first = 0; first < all; first += n_) {
             for (std::size_t i = 0; i < n_; ++i) {
                 const std::size_t at = first + i;
-                const double flow = (now.capacity[0][i] * S_[0][at] - right_[at]) / now.s + heat[at];
+                const double flow = per_s * (now.capacity[0][i] * S_[0][at] - right_[at]) + heat[at];
                 dq_[0][at] = system.has_capacity(i) ? flow : 0.0;
             }
         }
@@ -104,11 +106,12 @@ private:
             right_[i] = known_[i] + now.s * heat[i];
         }
         guess_stage(method, static_cast<int>(stage), dt, k > 0 ? record_->steps_[k - 1].dt : 0.0, S_, before_);
+        const double per_s = 1.0 / now.s;
         status_ = record_->solve(solver_, factor, now.J[stage], right_, std::span(S_[stage]).first(all), tolerance_, k);
         for (std::size_t first = 0; first < all; first += n_) {
             for (std::size_t i = 0; i < n_; ++i) {
                 const double stored = now.capacity[stage][i] * S_[stage][first + i];
-                dq_[stage][first + i] = (stored - known_[first + i]) / now.s;
+                dq_[stage][first + i] = per_s * (stored - known_[first + i]);
             }
         }
     }
@@ -157,7 +160,7 @@ std::vector<double> AdjointRecord::forward(std::size_t n_heats, const Heats& hea
     // By their number alone, so that the digits are the same for any number of threads.
     constexpr std::size_t of_sweep = 6 * panel_width;
     constexpr std::size_t most_sweeps = 8;
-    // An incomplete factor is of a large mesh, whose loops are shared out, and is not copied.
+    // An incomplete factor is not copied.
     const std::size_t n_sweeps = factor_->is_exact() ? std::clamp<std::size_t>(n_heats / of_sweep, 1, most_sweeps) : 1;
     const std::size_t panels = (n_heats + panel_width - 1) / panel_width;
     std::vector<ForwardSweep> sweeps;
@@ -168,7 +171,7 @@ std::vector<double> AdjointRecord::forward(std::size_t n_heats, const Heats& hea
     }
     std::vector<double> answer(n_heats * n_samples_);
     std::vector<double> heat(n_heats * n_);
-    for (std::size_t k = 0; k < steps_.size(); ++k) {
+    for (std::size_t k = 0; k < steps_.size() && status_.ok(); ++k) {
         leave_if_stopped();
         linearise(steps_[k]);
         if (!status_.ok()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Repeats a run with given steps and keeps its stages, effect coefficients and the linear form of every sampled output.
+// Repeats a run with given steps and keeps its stages, effect coefficients and the linear form of every sampled output; what both
+// sweeps need of a step.
 
 #include "solver/sensitivity/adjoint_record.hpp"
 
