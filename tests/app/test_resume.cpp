@@ -198,7 +198,7 @@ TEST(Resume, ADiagnosisGoesOnAfterEveryTimeLimit) {
         const int end = call.end();
         EXPECT_EQ(call.err().find("an interrupted call is continued: ") != std::string::npos, kept) << call.err();
         // New ones or, on a slow machine, none.
-        kept = call.err().find(" simulations are kept in o, ") != std::string::npos;
+        kept = call.err().find(" kept in o, ") != std::string::npos;
         EXPECT_TRUE(end == 0 || (end == 2 && kept)) << call.err();
         EXPECT_EQ(std::filesystem::exists(scratch / "o/.tiretherm/diagnose.simulations"), kept);
         EXPECT_EQ(call.out(), "");
