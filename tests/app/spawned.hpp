@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -79,6 +80,20 @@ public:
     }
     [[nodiscard]] std::string err() const { return post::read_text(scratch_ / "err"); }
     [[nodiscard]] std::string out() const { return post::read_text(scratch_ / "out"); }
+    /// Waits until it has said what it does with a signal.
+    [[nodiscard]] bool hears(int signal) const {
+        for (int i = 0; i < 6000; ++i) {
+            std::ifstream status("/proc/" + std::to_string(child_) + "/status");
+            for (std::string line; std::getline(status, line);) {
+                if (line.starts_with("SigCgt:") &&
+                    ((std::stoull(line.substr(7), nullptr, 16) >> (signal - 1)) & 1U) != 0) {
+                    return true;
+                }
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return false;
+    }
     /// Waits until it works in a folder of results: it has read its files by then.
     [[nodiscard]] bool works_in(const std::string& out) const {
         for (int i = 0; i < 6000; ++i) {
