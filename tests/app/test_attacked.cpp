@@ -293,7 +293,7 @@ TEST(Attacked, CheckSaysHowLargeACaseIs) {
 
 // 166 cells a side are 4.6 million: some 9 GB. The mesh is not made: 300 MB of address space are enough to refuse it.
 TEST(Attacked, LargeMeshIsRefusedBeforeItIsMade) {
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef TIRETHERM_SANITIZED
     GTEST_SKIP() << "the sanitizer needs the address space itself";
 #endif
     const sample::Scratch scratch;
@@ -308,7 +308,7 @@ TEST(Attacked, LargeMeshIsRefusedBeforeItIsMade) {
 
 // The limit is raised, and the memory is not there: 3.4 million cells in 1 GB.
 TEST(Attacked, MemoryThatIsNotThereIsASentence) {
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef TIRETHERM_SANITIZED
     GTEST_SKIP() << "the sanitizer needs the address space itself";
 #endif
     const sample::Scratch scratch;

@@ -32,8 +32,6 @@ struct Diagnoses {
     }
 };
 
-bool has_text(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 /// Root mean square of extended - measured of a channel in residuals.csv.
 double rms_of_extended(const std::string& rows, const std::string& channel) {
     std::istringstream lines(rows);
@@ -62,18 +60,18 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
     // On a slow machine how far it is, and what all runs say together before each has been diagnosed alone.
     const std::size_t note = page.err.find("tiretherm:");
     EXPECT_TRUE(note == std::string::npos || note == page.err.find("tiretherm: all runs together: ")) << page.err;
-    EXPECT_FALSE(has_text(page.out, "\033"));
+    EXPECT_FALSE(has(page.out, "\033"));
     // 2 numbers of effects and 2 starts for each of 3 runs; 601 samples of 2 channels in each
     EXPECT_TRUE(
         page.out.starts_with("Bench of two nodes, runs of forty minutes\n3 runs, 3 606 values, 8 free parameters; "))
         << page.out;
     for (const char* section : {"\nVerdict\n", "\nWhere it shows\n", "\nCandidate causes\n", "\nFiles\n"}) {
-        EXPECT_TRUE(has_text(page.out, section)) << section << page.out;
+        EXPECT_TRUE(has(page.out, section)) << section << page.out;
     }
     for (const char* name :
          {"diagnosis.json", "extended.toml", "residuals.csv", "missing_heat.csv", "report.html", "page.txt"}) {
         EXPECT_GT(std::filesystem::file_size(diagnoses.written.folder() / "out" / name), 100u) << name;
-        EXPECT_TRUE(has_text(page.out, name)) << name;
+        EXPECT_TRUE(has(page.out, name)) << name;
     }
 
     const Json json = Json::parse(post::read_text(diagnoses.file("out/diagnosis.json")));
@@ -91,8 +89,8 @@ TEST(Diagnose, FindsWhatThePuzzleHides) {
             return cause["id"] == "sidewall_convection";
         })) << run;
     }
-    EXPECT_TRUE(has_text(page.out, "\nEach run alone\n"));
-    EXPECT_TRUE(has_text(page.out, "All runs agree on ")) << page.out;
+    EXPECT_TRUE(has(page.out, "\nEach run alone\n"));
+    EXPECT_TRUE(has(page.out, "All runs agree on ")) << page.out;
     const Json& conductance = json["causes"][0]["parameters"]["conductance"];
     EXPECT_EQ(conductance["unit"], "W/K");
     EXPECT_LT(conductance["low"], 0.8);
@@ -151,8 +149,8 @@ TEST(Diagnose, ACaseThatFreesNothingIsRefused) {
 TEST(Diagnose, ACaseThatMeasuresNothingIsRefused) {
     const Call none = call("diagnose " + two_node);
     EXPECT_EQ(none.exit_code, 1);
-    EXPECT_TRUE(has_text(none.err, two_node + ": the case has no measured run\n    remedy: add [[run]]")) << none.err;
-    EXPECT_TRUE(has_text(none.err, "1 error; nothing was diagnosed\n")) << none.err;
+    EXPECT_TRUE(has(none.err, two_node + ": the case has no measured run\n    remedy: add [[run]]")) << none.err;
+    EXPECT_TRUE(has(none.err, "1 error; nothing was diagnosed\n")) << none.err;
 }
 
 TEST(Diagnose, MissingFilesAreToldAndEndWith1) {
@@ -160,9 +158,8 @@ TEST(Diagnose, MissingFilesAreToldAndEndWith1) {
     const Call no_data = diagnoses.diagnose(diagnosed_bench, "--data " + diagnoses.file("missing.csv"));
     EXPECT_EQ(no_data.exit_code, 1);
     EXPECT_EQ(no_data.out, "");
-    EXPECT_TRUE(has_text(no_data.err, "missing.csv: the file cannot be read: No such file or directory"))
-        << no_data.err;
-    EXPECT_TRUE(has_text(no_data.err, "nothing was diagnosed")) << no_data.err;
+    EXPECT_TRUE(has(no_data.err, "missing.csv: the file cannot be read: No such file or directory")) << no_data.err;
+    EXPECT_TRUE(has(no_data.err, "nothing was diagnosed")) << no_data.err;
     const Call no_case = diagnoses.diagnose(diagnoses.file("missing.toml"), "--json");
     EXPECT_EQ(no_case.exit_code, 1);
     EXPECT_EQ(no_case.err, "");
@@ -178,8 +175,8 @@ TEST(Diagnose, ACandidateThatIsNoEffectIsRefusedWithItsPlace) {
                                  .string();
     const Call call = diagnoses.diagnose(file);
     EXPECT_EQ(call.exit_code, 1);
-    EXPECT_TRUE(has_text(call.err, "misspelt.toml:3:15: ")) << call.err;
-    EXPECT_TRUE(has_text(call.err, "sidewall_convection")) << call.err;
+    EXPECT_TRUE(has(call.err, "misspelt.toml:3:15: ")) << call.err;
+    EXPECT_TRUE(has(call.err, "sidewall_convection")) << call.err;
 }
 
 TEST(Diagnose, ARunThatFailsEndsWith2) {
@@ -198,20 +195,20 @@ standard_deviation = 0.05
                                  .string();
     const Call call = diagnoses.diagnose(file);
     EXPECT_EQ(call.exit_code, 2) << call.out << call.err;
-    EXPECT_TRUE(has_text(call.err, "nothing was diagnosed")) << call.err;
+    EXPECT_TRUE(has(call.err, "nothing was diagnosed")) << call.err;
     EXPECT_EQ(call.out, "");
 }
 
 TEST(Diagnose, RunsAloneAreWantedOrNot) {
     const Call call = app_test::call("diagnose " + diagnosed_bench + " --by-run --no-by-run");
     EXPECT_EQ(call.exit_code, 1);
-    EXPECT_TRUE(has_text(call.err, "--no-by-run") && has_text(call.err, "--by-run")) << call.err;
+    EXPECT_TRUE(has(call.err, "--no-by-run") && has(call.err, "--by-run")) << call.err;
 }
 
 TEST(Diagnose, HelpHasAnExample) {
     const Call help = call("diagnose --help");
     EXPECT_EQ(help.exit_code, 0);
-    EXPECT_TRUE(has_text(help.out, "tiretherm diagnose cases/practice/two_node_bench.toml")) << help.out;
+    EXPECT_TRUE(has(help.out, "tiretherm diagnose cases/practice/two_node_bench.toml")) << help.out;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <atomic>
 
 // The sanitizers bring their own allocator.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef TIRETHERM_SANITIZED
 #define TIRETHERM_COUNTS_ALLOCATIONS
 #endif
 

@@ -18,17 +18,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/threads.hpp"
+
 namespace tiretherm {
 namespace {
-
-/// Gives the number of threads back that was.
-struct Threads {
-    explicit Threads(int n) { omp_set_num_threads(n); }
-    Threads(const Threads&) = delete;
-    Threads& operator=(const Threads&) = delete;
-    ~Threads() { omp_set_num_threads(before); }
-    int before = omp_get_max_threads();
-};
 
 /// 1, 1/2, 1/3 ...: summed up in another order, they have other last digits.
 std::vector<double> harmonic(std::size_t n) {
@@ -60,7 +53,7 @@ TEST(Parallel, SumsHaveTheSameDigitsForAnyNumberOfThreads) {
     const std::vector<double> terms = harmonic(100000);
     std::set<double> sums;
     for (const int threads : {1, 2, 3, 5}) {
-        const Threads now(threads);
+        const support::Threads now(threads);
         Team::with(terms.size(), [&] { sums.insert(sum_of(terms)); });
     }
     ASSERT_EQ(sums.size(), 1U);
@@ -81,7 +74,7 @@ TEST(Parallel, AFoldSideBySideTakesEachOnce) {
 TEST(Parallel, LargestIsTheFirstOfThoseThatAreEqual) {
     std::vector<double> values(50000, 1.0);
     values[700] = values[40000] = 2.0;
-    const Threads now(3);
+    const support::Threads now(3);
     Largest most;
     Team::with(values.size(),
                [&] { most = largest_over_nodes(values.size(), [&](std::size_t i) { return values[i]; }); });
@@ -90,7 +83,7 @@ TEST(Parallel, LargestIsTheFirstOfThoseThatAreEqual) {
 }
 
 TEST(Parallel, EveryNodeIsVisitedOnce) {
-    const Threads now(3);
+    const support::Threads now(3);
     for (const std::size_t n : {0UL, 1UL, least_of_range, least_shared - 1, least_shared, 123457UL}) {
         std::vector<int> visits(n);
         Team::with(many, [&] { over_nodes(n, [&](std::size_t i) { ++visits[i]; }); });
@@ -102,7 +95,7 @@ TEST(Parallel, EveryNodeIsVisitedOnce) {
 // sees what the one before it wrote.
 TEST(Parallel, ManyShortLoopsFollowOneAnother) {
     for (const int threads : {2, 3, 8}) {
-        const Threads now(threads);
+        const support::Threads now(threads);
         std::vector<long> before(16, 0);
         std::vector<long> after(16, 0);
         constexpr long rounds = 20000;
@@ -117,7 +110,7 @@ TEST(Parallel, ManyShortLoopsFollowOneAnother) {
 }
 
 TEST(Parallel, WhatIsThrownBetweenLoopsComesOut) {
-    const Threads now(2);
+    const support::Threads now(2);
     const auto fail = [] { throw std::runtime_error("between loops"); };
     EXPECT_THROW(Team::with(many, fail), std::runtime_error);
     EXPECT_EQ(Team::of_this_thread(), nullptr);
@@ -154,7 +147,7 @@ TEST(Parallel, LoopInsideATaskStaysOnItsThread) {
 
 // Two tasks, the second of which has thirty tasks of its own: the thread that is through with the first takes part in them.
 TEST(Parallel, TasksOfATaskAreSharedWithWhoeverIsFree) {
-    const Threads now(2);
+    const support::Threads now(2);
     std::mutex mutex;
     std::set<std::thread::id> threads;
     std::vector<int> done(30);
@@ -176,7 +169,7 @@ TEST(Parallel, TasksOfATaskAreSharedWithWhoeverIsFree) {
 // One of two threads has a task that ends when seven others, which have tasks of their own, are through: the other thread, whichever
 // it is, must not wait for it in any of them.
 TEST(Parallel, ATaskWaitsForItsOwnTasksAlone) {
-    const Threads now(2);
+    const support::Threads now(2);
     for (const std::size_t last : {0UL, 1UL}) {
         std::atomic<int> through = 0;
         int seen = 0;
@@ -198,7 +191,7 @@ TEST(Parallel, ATaskWaitsForItsOwnTasksAlone) {
 }
 
 TEST(Parallel, WhatATaskOfATaskThrowsComesOut) {
-    const Threads now(3);
+    const support::Threads now(3);
     std::atomic<int> caught = 0;
     const auto fail = [](std::size_t i) {
         if (i == 2) {
@@ -218,7 +211,7 @@ TEST(Parallel, WhatATaskOfATaskThrowsComesOut) {
 }
 
 TEST(Parallel, TheThreadsThatAreAskedForAreForATaskThatIsAlone) {
-    const Threads now(3);
+    const support::Threads now(3);
     std::size_t threads = 0;
     const auto count = [&](std::size_t) { threads = threads_of_loop(); };
     in_parallel(1, count, 2);

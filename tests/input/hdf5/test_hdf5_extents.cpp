@@ -188,7 +188,7 @@ TEST(Hdf5Extents, AnOverwrittenShapeIsDamage) {
     }
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TIRETHERM_SANITIZED
 constexpr bool under_address_sanitizer = true;
 #else
 constexpr bool under_address_sanitizer = false;

@@ -8,12 +8,12 @@
 #include <numeric>
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "mesh/index.hpp"
 #include "mesh/parallel.hpp"
 #include "solver/linear/factor.hpp"
 #include "tests/solver/linear/diffusion_matrix.hpp"
+#include "tests/support/threads.hpp"
 
 namespace tiretherm::solver {
 namespace {
@@ -141,10 +141,9 @@ TEST(BlockOrder, CostsHardlyAnyIterations) {
 
 TEST(BlockOrder, FactorHasTheSameDigitsForAnyNumberOfThreads) {
     const Cube cube;
-    const int before = omp_get_max_threads();
     std::vector<std::vector<double>> found;
     for (const int threads : {1, 2, 3}) {
-        omp_set_num_threads(threads);
+        const support::Threads now(threads);
         std::vector<double> once(cube.b.size());
         std::vector<double> iterated(cube.b.size());
         Team::with(cube.b.size(), [&] {
@@ -156,7 +155,6 @@ TEST(BlockOrder, FactorHasTheSameDigitsForAnyNumberOfThreads) {
         found.push_back(once);
         found.push_back(iterated);
     }
-    omp_set_num_threads(before);
     for (std::size_t k = 2; k < found.size(); ++k) {
         EXPECT_EQ(found[k], found[k % 2]);
     }

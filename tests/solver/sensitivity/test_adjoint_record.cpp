@@ -7,9 +7,9 @@
 #include <random>
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "solver/sensitivity/adjoint_record.hpp"
+#include "tests/support/threads.hpp"
 #include "tests/support/tire_section.hpp"
 
 namespace tiretherm::solver {
@@ -145,17 +145,15 @@ TEST(AdjointRecord, ManyCoursesHaveTheSameDigitsForAnyNumberOfThreads) {
             of_step[i] = has_begun ? watts[h * of_step.size() + i] : 0.0;
         }
     };
-    const int before = omp_get_max_threads();
     std::vector<std::vector<double>> answers;
     for (const int threads : {1, 2, 3}) {
-        omp_set_num_threads(threads);
+        const support::Threads now(threads);
         answers.push_back(record.forward(many, [&](std::size_t step, std::span<double> heat) {
             for (std::size_t h = 0; h < many; ++h) {
                 take_course(h, step, heat.subspan(h * record.n_nodes(), record.n_nodes()));
             }
         }));
     }
-    omp_set_num_threads(before);
     ASSERT_TRUE(record.status().ok()) << record.status().message;
     EXPECT_EQ(answers[1], answers[0]);
     EXPECT_EQ(answers[2], answers[0]);

@@ -18,7 +18,7 @@
 #include "solver/time_integration/march.hpp"
 
 // Counts every allocation of this executable, those of C libraries too. The sanitizers bring their own allocator.
-#if !defined(__SANITIZE_ADDRESS__)
+#ifndef TIRETHERM_SANITIZED
 namespace {
 std::atomic<long> allocations{0};
 }
@@ -160,7 +160,7 @@ TEST(Session, GoesOnWithOtherNumbersFromItsTemperatures) {
     EXPECT_NEAR(moved.channel(1), always.channel(1), 0.05 * problem.settings.tolerance);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
+#ifndef TIRETHERM_SANITIZED
 TEST(Session, AllocatesNothingInAStep) {
     // Two nodes, and 100 cells: the first steps size CHOLMOD's buffers, the thousand after them must not allocate.
     Problem layered = heated_strip(100);

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "tests/support/problem.hpp"
+#include "tests/support/threads.hpp"
 
 namespace tiretherm::solver {
 namespace {
@@ -32,10 +32,9 @@ Problem slab() {
 
 TEST(Threads, RunHasTheSameDigitsForAnyNumberOfThem) {
     const Problem problem = slab();
-    const int before = omp_get_max_threads();
     std::vector<std::vector<double>> ends;
     for (const int threads : {1, 2, 3}) {
-        omp_set_num_threads(threads);
+        const support::Threads now(threads);
         ends.emplace_back();
         const MarchReport report = run(problem, [&](const Snapshot& snapshot) {
             ends.back().assign(snapshot.temperature.begin(), snapshot.temperature.end());
@@ -44,7 +43,6 @@ TEST(Threads, RunHasTheSameDigitsForAnyNumberOfThem) {
         EXPECT_TRUE(report.status.ok()) << report.status.message;
         EXPECT_LT(report.energy_closure, 1e-12);
     }
-    omp_set_num_threads(before);
     EXPECT_GT(ends[0][0], 296.15);
     EXPECT_EQ(ends[1], ends[0]);
     EXPECT_EQ(ends[2], ends[0]);
