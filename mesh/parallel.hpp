@@ -189,6 +189,10 @@ void split_loop(std::size_t begin, std::size_t end, bool shared, const Body& bod
 template <typename Body>
 void over_ranges(std::size_t n, const Body& body) {
     const std::size_t ranges = ranges_of(n);
+    if (ranges == 1) {
+        body(0, 0, n);
+        return;
+    }
     split_loop(0, ranges, n >= least_shared, [&](std::size_t k) { body(k, k * n / ranges, (k + 1) * n / ranges); });
 }
 
@@ -205,6 +209,9 @@ void over_nodes(std::size_t n, const Body& body) {
 /// What range(begin, end) gives of each range, joined in the order of the ranges.
 template <typename Range, typename Join>
 [[nodiscard]] auto joined_over_ranges(std::size_t n, const Range& range, const Join& join) {
+    if (ranges_of(n) == 1) {
+        return range(0, n);
+    }
     std::array<decltype(range(n, n)), most_ranges> of_range{};
     over_ranges(n, [&](std::size_t k, std::size_t begin, std::size_t end) { of_range[k] = range(begin, end); });
     auto all = of_range[0];
