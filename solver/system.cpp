@@ -113,8 +113,12 @@ void System::settle_effects() {
     for (physics::ActiveEffect& active : effects_) {
         active.effect->place({.mesh = problem_->mesh, .material_model = material_model_, .effects = effects_}, active);
     }
-    const auto scales = [](const physics::ActiveEffect& active) { return active.effect->loss_law() != nullptr; };
-    loss_factors_.reserve(at(static_cast<int>(std::count_if(effects_.begin(), effects_.end(), scales))));
+    for (std::size_t e = 0; e < effects_.size(); ++e) {
+        if (effects_[e].effect->loss_law() != nullptr) {
+            with_loss_law_.push_back(e);
+        }
+    }
+    loss_factors_.reserve(with_loss_law_.size());
 }
 
 std::vector<double> System::initial() const {
@@ -201,10 +205,12 @@ physics::EvaluationState System::evaluation_state(std::size_t e, std::span<const
 void System::find_loss_factors(std::span<const double> T, std::span<const double> means,
                                std::span<const double> coefficients, LeftOut left_out) const {
     loss_factors_.clear();
-    for (std::size_t e = 0; e < effects_.size(); ++e) {
-        const physics::LossLaw scale = effects_[e].effect->loss_law();
-        if (scale != nullptr && e != left_out && !coefficients.empty()) {
-            loss_factors_.push_back(scale(evaluation_state(e, T, means, coefficients)));
+    if (coefficients.empty()) {
+        return;
+    }
+    for (const std::size_t e : with_loss_law_) {
+        if (e != left_out) {
+            loss_factors_.push_back(effects_[e].effect->loss_law()(evaluation_state(e, T, means, coefficients)));
         }
     }
 }

@@ -125,6 +125,7 @@ private:
     std::size_t n_coefficients_ = 0;
     std::vector<std::size_t> first_coefficient_;  ///< [n_effects]
     std::vector<std::size_t> with_coefficients_;  ///< effects that have any
+    std::vector<std::size_t> with_loss_law_;
     physics::Terms terms_;
     mutable std::optional<physics::Terms> here_;  ///< to work in: derivatives by difference, some effects alone
     std::optional<physics::Terms> there_;

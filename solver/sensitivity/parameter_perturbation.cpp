@@ -129,6 +129,7 @@ ParameterPerturbation::ParameterPerturbation(const Problem& base, const FreePara
     for (const Channel& channel : base.channels) {
         follows_watts_ = follows_watts_ || description_of(channel.quantity).follows_watts;
     }
+    channels_are_linear_ = plus_->sensor_outputs.is_linear_and_as(minus_->sensor_outputs);
 }
 
 std::vector<double> ParameterPerturbation::start() const {
@@ -166,7 +167,7 @@ void ParameterPerturbation::flow(int stage, std::span<const double> T, std::span
     contributing_ = moved_effects_;
     if (moves_coefficients_) {
         const System& system = plus_->system;
-        for (std::size_t e = 0; e < system.effects().size(); ++e) {
+        for (const std::size_t e : driven_.empty() ? system.with_coefficients() : std::span<const std::size_t>(driven_)) {
             const std::span<const double> ours = system.coefficients_of(e, above);
             const std::span<const double> theirs = system.coefficients_of(e, below);
             if (!std::ranges::equal(ours, theirs) && std::ranges::find(contributing_, e) == contributing_.end()) {
@@ -220,6 +221,10 @@ void ParameterPerturbation::enthalpy(std::span<const double> T, std::span<double
 
 void ParameterPerturbation::begin_sensor_outputs(double t, std::span<const double> T, std::span<const double> S,
                                                  std::span<const double> watts, const physics::Inputs& inputs) {
+    if (channels_are_linear_) {
+        plus_->sensor_outputs.begin(t, S, watts, inputs);
+        return;
+    }
     for (Side* side : {plus_.get(), minus_.get()}) {
         for (std::size_t n = 0; n < T.size(); ++n) {
             side->T[0][n] = T[n] + side->shift * S[n];
@@ -240,6 +245,13 @@ void ParameterPerturbation::take_step(std::span<const StepMoment> stages, std::s
                                       std::span<const std::span<const double>> coefficients,
                                       std::span<const physics::Inputs> inputs) {
     std::vector<StepMoment> seen(stages.begin(), stages.end());
+    if (channels_are_linear_) {
+        for (std::size_t i = 0; i < stages.size(); ++i) {
+            seen[i].temperature = S[i];
+        }
+        plus_->sensor_outputs.take_step(seen, inputs);
+        return;
+    }
     std::vector<physics::Inputs> its(inputs.begin(), inputs.end());
     for (Side* side : {plus_.get(), minus_.get()}) {
         for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -262,6 +274,10 @@ void ParameterPerturbation::take_step(std::span<const StepMoment> stages, std::s
 }
 
 void ParameterPerturbation::read(double t, const physics::Inputs& logged, std::span<double> out) {
+    if (channels_are_linear_) {
+        plus_->sensor_outputs.at(t, logged, out);
+        return;
+    }
     for (Side* side : {plus_.get(), minus_.get()}) {
         const physics::Inputs its = follows_own_inputs_ ? side->problem.input_signals.at(t, JumpSide::before) : logged;
         side->sensor_outputs.at(t, its, side->read);

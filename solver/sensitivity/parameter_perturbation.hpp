@@ -83,6 +83,7 @@ private:
     bool follows_own_inputs_ = false;  ///< the inputs follow the parameter
     bool moves_coefficients_ = false;
     bool follows_watts_ = false;              ///< a channel reads the heat of effects
+    bool channels_are_linear_ = false;        ///< in the temperatures, and do not follow the parameter else
     std::vector<std::size_t> moved_effects_;  ///< heat effects whose parameters or places differ
     /// Effects whose coefficients follow the parameter, while inputs and laws do not; empty where these do.
     std::vector<std::size_t> driven_;

@@ -61,7 +61,9 @@ public:
           sensor_outputs_(problem_, stepper_.system()),
           tangent_(problem_, stepper_, request.parameters, request.values, request.tolerance),
           slopes_(request.parameters.size() * problem.channels.size()),
-          channels_(problem.channels.size()) {}
+          channels_(problem.channels.size()) {
+        stepper_.newton().stop_timing();
+    }
 
     Status steady() {
         const double t = problem_.settings.end;

@@ -78,6 +78,20 @@ SensorOutputs::SensorOutputs(const Problem& problem, const System& system)
     }
 }
 
+bool SensorOutputs::is_linear_and_as(const SensorOutputs& other) const {
+    for (std::size_t c = 0; c < problem_->channels.size(); ++c) {
+        const QuantityDescription& quantity = description_of(problem_->channels[c].quantity);
+        const Chain& ours = chains_[c];
+        const Chain& theirs = other.chains_[c];
+        if (quantity.follow != nullptr || quantity.evaluate != nullptr || !ours.before.empty() || !ours.after.empty() ||
+            ours.lag != theirs.lag || ours.delay != theirs.delay || ours.rate != theirs.rate ||
+            ours.where.nodes != theirs.where.nodes || ours.where.weights != theirs.where.weights) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /// What is followed along a step: the temperature at the channel's place, or what its quantity names instead.
 double SensorOutputs::followed_quantity(std::size_t channel, std::span<const double> T,
                                         std::span<const double> watts) const {

@@ -46,6 +46,9 @@ public:
     /// The moment that a channel shows at t, by its clock. s
     [[nodiscard]] double moment(std::size_t channel, double t) const { return chains_[channel].moment(t); }
     [[nodiscard]] const mesh::Functional& place(std::size_t channel) const { return chains_[channel].where; }
+    /// Whether another one gives the same of the same temperatures, and all of it is linear in them: given the derivatives of the
+    /// temperatures, each gives those of its channels.
+    [[nodiscard]] bool is_linear_and_as(const SensorOutputs& other) const;
 
     void visit(Archive& archive);
 
