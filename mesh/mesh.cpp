@@ -4,6 +4,7 @@
 #include "mesh/mesh.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -45,18 +46,9 @@ void Functional::normalise() {
 }
 
 double Functional::operator()(std::span<const double> temperature) const {
+    const auto add = [&](double sum, std::size_t i) { return sum + weights[i] * temperature[at(nodes[i])]; };
     return sum_over_ranges(nodes.size(), [&](std::size_t begin, std::size_t end) {
-        std::array<double, 4> sums{};  // side by side: one alone would wait for each addition
-        std::size_t i = begin;
-        for (; i + 4 <= end; i += 4) {
-            for (std::size_t k = 0; k < 4; ++k) {
-                sums[k] += weights[i + k] * temperature[at(nodes[i + k])];
-            }
-        }
-        for (; i < end; ++i) {
-            sums[0] += weights[i] * temperature[at(nodes[i])];
-        }
-        return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+        return fold_side_by_side(begin, end, 0.0, add, std::plus<>());
     });
 }
 

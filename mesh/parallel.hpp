@@ -176,7 +176,7 @@ void Team::with(std::size_t n, const Work& work) {
 /// @param shared whether other threads may help
 template <typename Body>
 void split_loop(std::size_t begin, std::size_t end, bool shared, const Body& body) {
-    if (Team* team = Team::of_this_thread(); team != nullptr && shared && end - begin > 1) {
+    if (Team* team = shared && end - begin > 1 ? Team::of_this_thread() : nullptr; team != nullptr) {
         team->share(begin, end, body);
         return;
     }
@@ -189,10 +189,6 @@ void split_loop(std::size_t begin, std::size_t end, bool shared, const Body& bod
 template <typename Body>
 void over_ranges(std::size_t n, const Body& body) {
     const std::size_t ranges = ranges_of(n);
-    if (ranges == 1) {
-        body(0, 0, n);
-        return;
-    }
     split_loop(0, ranges, n >= least_shared, [&](std::size_t k) { body(k, k * n / ranges, (k + 1) * n / ranges); });
 }
 

@@ -167,7 +167,8 @@ void ParameterPerturbation::flow(int stage, std::span<const double> T, std::span
     contributing_ = moved_effects_;
     if (moves_coefficients_) {
         const System& system = plus_->system;
-        for (const std::size_t e : driven_.empty() ? system.with_coefficients() : std::span<const std::size_t>(driven_)) {
+        for (const std::size_t e :
+             driven_.empty() ? system.with_coefficients() : std::span<const std::size_t>(driven_)) {
             const std::span<const double> ours = system.coefficients_of(e, above);
             const std::span<const double> theirs = system.coefficients_of(e, below);
             if (!std::ranges::equal(ours, theirs) && std::ranges::find(contributing_, e) == contributing_.end()) {
