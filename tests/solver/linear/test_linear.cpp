@@ -137,4 +137,13 @@ TEST(MakeFactor, TakesCholeskyForAPlaneAndIterationForABlock) {
     EXPECT_NE(make_factor(pattern, LinearSolver::cholesky)->description().find("CHOLMOD"), std::string::npos);
 }
 
+// Minimum degree leaves 203 entries a row here, METIS 147 (CHOLMOD 3.0.14).
+TEST(MakeFactor, LooksLongerForAnOrderOnlyWhereTheFactorIsTaken) {
+    const Pattern pattern = pattern_of(cube(30));
+    const std::string words = make_factor(pattern, LinearSolver::cholesky)->description();
+    const double entries = std::stod(words.substr(words.rfind(", ") + 2));
+    EXPECT_LT(entries, 175.0 * pattern.n) << words;
+    EXPECT_NE(make_factor(pattern, LinearSolver::automatic)->description().find("incomplete"), std::string::npos);
+}
+
 }  // namespace tiretherm::solver
