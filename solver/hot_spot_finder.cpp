@@ -77,13 +77,11 @@ HotSpotFinder::HotSpotFinder(const mesh::Mesh& mesh, std::vector<int> nodes)
     : mesh_(&mesh), nodes_(std::move(nodes)), line_positions_(at(mesh.n_nodes)) {
     for (std::size_t i = 0; i < columns(); ++i) {
         const mesh::Column column = mesh::in_sector(mesh, column_of(i), static_cast<int>(i / mesh.columns.size()));
-        Line line{.node = {column.outer}, .depth = {0.0}, .edge = column.edge, .first_cell = 1};
+        Line line{.node = {column.outer}, .edge = column_of(i).edge, .first_cell = 1};
         for (int k = 0; k < column.cells(); ++k) {
             line.node.push_back(column.first_cell + k);
-            line.depth.push_back(0.5 * (column.edge[at(k)] + column.edge[at(k) + 1]));
         }
         line.node.push_back(column.inner);
-        line.depth.push_back(column.edge.back());
         add_line(std::move(line));
     }
     if (mesh.grid) {
@@ -91,19 +89,16 @@ HotSpotFinder::HotSpotFinder(const mesh::Mesh& mesh, std::vector<int> nodes)
         const auto has = [&](mesh::Side side) { return !grid.surface[static_cast<std::size_t>(side)].empty(); };
         for (int j = 0; j < grid.size(1); ++j) {
             for (int i = 0; i < grid.size(0); ++i) {
-                Line line{.node = {}, .depth = {}, .edge = grid.edge[2], .first_cell = 0};
+                Line line{.edge = grid.edge[2]};
                 if (has(mesh::Side::z_min)) {
                     line.node.push_back(grid.surface_node(mesh::Side::z_min, i, j, 0));
-                    line.depth.push_back(grid.edge[2].front());
                     line.first_cell = 1;
                 }
                 for (int k = 0; k < grid.size(2); ++k) {
                     line.node.push_back(grid.cell(i, j, k));
-                    line.depth.push_back(grid.centre[2][at(k)]);
                 }
                 if (has(mesh::Side::z_max)) {
                     line.node.push_back(grid.surface_node(mesh::Side::z_max, i, j, 0));
-                    line.depth.push_back(grid.edge[2].back());
                 }
                 add_line(std::move(line));
             }
@@ -169,7 +164,7 @@ HotSpotFinder::Interpolant HotSpotFinder::at_peak(std::size_t first, std::size_t
 HotSpotFinder::Interpolant HotSpotFinder::in_depth(const LinePosition& position, std::span<const double> T) const {
     const Line& line = lines_[at(position.line)];
     const std::size_t n = line.node.size();
-    Interpolant here{.at = line.depth[position.index], .index = {position.index, position.index, position.index}};
+    Interpolant here{.at = line.depth(position.index), .index = {position.index, position.index, position.index}};
     const std::size_t cell = position.index - line.first_cell;
     if (position.index < line.first_cell || cell + 1 >= line.edge.size()) {
         return here;
@@ -185,7 +180,7 @@ HotSpotFinder::Interpolant HotSpotFinder::in_depth(const LinePosition& position,
         return here;
     }
     return at_peak(
-        first, n, joined, [&](std::size_t i) { return line.depth[i]; },
+        first, n, joined, [&](std::size_t i) { return line.depth(i); },
         [&](std::size_t i) { return T[at(line.node[i])]; }, line.edge[cell], line.edge[cell + 1]);
 }
 

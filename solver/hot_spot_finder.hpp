@@ -37,9 +37,16 @@ private:
     /// A row of nodes through the thickness, its surfaces included.
     struct Line {
         std::vector<int> node{};
-        std::vector<double> depth{};  ///< [nodes] m
-        std::vector<double> edge{};   ///< [nodes - 2 + 1] m, of the cells between the surfaces that it has
-        std::size_t first_cell = 0;   ///< index of the first cell among the nodes
+        std::span<const double>
+            edge{};                  ///< [nodes - 2 + 1] m, of the cells between the surfaces that it has; the mesh's
+        std::size_t first_cell = 0;  ///< index of the first cell among the nodes
+
+        /// Of a node, m: the middle of its cell.
+        [[nodiscard]] double depth(std::size_t index) const {
+            const std::size_t cell = index - first_cell;
+            const bool is_cell = index >= first_cell && cell + 1 < edge.size();
+            return is_cell ? 0.5 * (edge[cell] + edge[cell + 1]) : index < first_cell ? edge.front() : edge.back();
+        }
     };
     /// Where a node lies in its row.
     struct LinePosition {

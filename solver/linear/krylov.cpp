@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "mesh/index.hpp"
 #include "mesh/parallel.hpp"
 
 namespace tiretherm::solver {
@@ -62,17 +63,25 @@ void add(double s, std::span<const double> x, std::span<double> y) {
 
 }  // namespace
 
-Krylov::Krylov(int n) : past_(directions + 1), z_(static_cast<std::size_t>(n)) {
+Krylov::Krylov(int n) : past_(directions + 1) {
+    if (at(n) < least_shared) {
+        take_memory(at(n));
+    }
+}
+
+void Krylov::take_memory(std::size_t n) {
+    z_.resize(n);
     for (Direction& direction : past_) {
-        direction.p.resize(z_.size());
-        direction.Jp.resize(z_.size());
-        direction.s.resize(z_.size());
+        direction.p.resize(n);
+        direction.Jp.resize(n);
+        direction.s.resize(n);
     }
 }
 
 Krylov::Result Krylov::solve(const Matrix& J, Factor& factor, std::span<const double> b, std::span<double> x,
                              std::span<double> residual, double tolerance, double relative_tolerance) {
     const std::span<double> r = residual;
+    take_memory(r.size());
     copy_nodes(b, r);
     clear_nodes(x);
     Result result;

@@ -18,6 +18,7 @@ namespace tiretherm::solver {
 /// exact fresh factor of J it ends after one solve. Buffers are allocated once.
 class Krylov {
 public:
+    /// A large mesh, of which many runs never ask for it, gets its memory with the first solution.
     explicit Krylov(int n);
 
     struct Result {
@@ -45,6 +46,7 @@ private:
         std::vector<double> s;  ///< M^-1 J p
         double length2 = 0.0;   ///< Jp' s
     };
+    void take_memory(std::size_t n);
     static void make_orthogonal(Direction& now, const Direction& old);
 
     std::vector<Direction> past_;
