@@ -220,7 +220,9 @@ Status Newton::solve(const Stage& stage, std::span<double> T) {
     const auto lowest = std::min_element(T.begin(), T.end());
     if (*lowest < absolute_zero) {
         return system_->failure_at(Outcome::not_converged,
-                                   "the step is too long: its heat balance leads below the absolute zero",
+                                   stage.steady
+                                       ? "the way to the steady state leads below the absolute zero"
+                                       : "the step is too long: its heat balance leads below the absolute zero",
                                    static_cast<int>(lowest - T.begin()), stage.time, T, stage.coefficients);
     }
     return system_->failure_at(Outcome::not_converged, "the heat balance did not converge", now_.worst_node, stage.time,

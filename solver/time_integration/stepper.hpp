@@ -94,6 +94,7 @@ public:
     [[nodiscard]] const System& system() const { return system_; }
 
 private:
+    [[nodiscard]] bool come_near_steady(const Newton::Stage& steady);
     [[nodiscard]] Attempt attempt_in_window(double t1, bool closed, double harmless);
     [[nodiscard]] Attempt attempt_stages(double dt, bool closed, double harmless);
     void update_heat_budget(int stage);

@@ -191,6 +191,11 @@ TEST(Extremes, NothingLeavesTheRangeOfTheStartAndTheAir) { expect_range(1001, 11
 
 TEST(Extremes, MirroredBlockHasTheMirroredField) { expect_mirror_images(2001, 2150, {}); }
 
+// Newton's method alone strays on one side of the mirror, and finds the steady state on the other.
+TEST(Extremes, SteadyStateIsFoundOnEitherSide) {
+    expect_mirror_images(30400, 30400, {.most_cells = 1000, .least_tolerance = 1e-5});
+}
+
 TEST(Extremes, OrderOfTheEffectsDoesNotMatter) { expect_any_order(3001, 3150, {}); }
 
 TEST(Extremes, LinearBlocksSuperpose) { expect_superposition(4001, 4150, {}); }
