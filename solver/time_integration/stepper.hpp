@@ -94,6 +94,9 @@ public:
     [[nodiscard]] const System& system() const { return system_; }
 
 private:
+    /// Newton's tolerance beside the tolerance of a step: small enough that the error estimate does not see it.
+    static constexpr double newton_share = 0.05;
+
     [[nodiscard]] bool come_near_steady(const Newton::Stage& steady);
     [[nodiscard]] Attempt attempt_in_window(double t1, bool closed, double harmless);
     [[nodiscard]] Attempt attempt_stages(double dt, bool closed, double harmless);

@@ -189,9 +189,9 @@ TEST(Hdf5Extents, AnOverwrittenShapeIsDamage) {
 }
 
 #ifdef TIRETHERM_SANITIZED
-constexpr bool under_address_sanitizer = true;
+constexpr bool sanitized = true;
 #else
-constexpr bool under_address_sanitizer = false;
+constexpr bool sanitized = false;
 #endif
 
 // The type says that a value has 8 bytes: 17 (version and class: a real), three bytes of bits, the size in four. With other
@@ -210,7 +210,7 @@ TEST(Hdf5Extents, ASizeOfAValueThatTheBlocksDoNotHaveIsDamage) {
             read_experiment(written.add("case.toml", std::string(bench) + "[[run]]\nfile = \"run.h5\"\n")), written);
         // The address sanitizer ends the process in which the library is tried, where it reads beside its block.
         const bool fails = found.find("damaged: the HDF5 library fails over it") != std::string::npos;
-        EXPECT_TRUE((under_address_sanitizer && fails) ||
+        EXPECT_TRUE((sanitized && fails) ||
                     found.find("the dataset time has a shape of 5 values, and the file does not hold them all") !=
                         std::string::npos)
             << found;
@@ -296,7 +296,7 @@ TEST(CsvFrames, APixelFarOutIsNoReasonToTakeMemory) {
 
 // With 300 MB more than the process has, a log of 400 MB cannot be read; that is said of it, and nothing else happens.
 TEST(Memory, ThatDoesNotSufficeForAFileIsAMistakeOfTheCaseWithItsPlace) {
-    if (under_address_sanitizer) {
+    if (sanitized) {
         GTEST_SKIP() << "the sanitizer's own tables do not fit into the limit, and it ends the process itself";
     }
     const Written written;
